@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// kd-tree grid -> 2-manifold mesh (paper sections 2 and 3.3).
+#pragma once
+
+#include "kdmanifold/grid.h"
+#include "kdmanifold/mesh.h"
+#include "kdmanifold/progress.h"
+
+namespace kdm {
+
+struct ExtractOptions {
+  /// Join the two triangles of an edge where four leaves meet to one quad (all of them on a
+  /// uniform grid). Quads need not be planar.
+  bool quads = false;
+  /// Make the result 2-manifold as an index mesh: insert a vertex where two parts of the surface
+  /// would share an edge, drop parts without volume. Off: the raw dual surface, whose half-edges
+  /// are manifold but whose vertex numbers may not show it.
+  bool strict = true;
+};
+
+struct ExtractReport {
+  Index dropped_pillows = 0;    ///< parts without volume that were left out
+  Index inserted_vertices = 0;  ///< vertices added to keep edges apart
+};
+
+/// A mesh with the account of how it was made.
+struct ExtractedMesh : Mesh {
+  ExtractReport report;
+};
+
+/// The surface of the grid: closed, oriented outwards, 2-manifold. Linear in the hits.
+ExtractedMesh extract(const Grid& grid, const ExtractOptions& options = {},
+                      const Progress& progress = {});
+
+}  // namespace kdm

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// The kd-tree grid: the volumetric representation that everything works on (paper section 3).
+#pragma once
+
+#include <memory>
+
+#include "kdmanifold/types.h"
+
+namespace kdm {
+
+struct GridData;
+
+/// What the grid was built from.
+struct InputReport {
+  Index vertices = 0;   ///< after welding vertices of exactly equal position
+  Index triangles = 0;
+  bool closed = false;  ///< every edge is used equally often in both directions
+  Index boundary_edges = 0;
+  Index non_manifold_edges = 0;  ///< edges with three or more faces
+  Index degenerate_faces = 0;    ///< faces without area on the lattice; they take no part
+  Index components = 0;          ///< parts joined by edges
+  bool flipped = false;          ///< the input was inside out and has been turned
+  double lattice_step = 0;       ///< what input positions were rounded to for decisions, model units
+};
+
+struct GridStats {
+  Index cells = 0;  ///< nodes of the kd-tree
+  Index leaves = 0;
+  Index hits = 0;   ///< intersections of the surface with grid edges
+  int depth = 0;    ///< of the deepest leaf
+  std::size_t bytes = 0;  ///< memory held by the grid
+  Index ambiguous_faces = 0;  ///< minimal faces with more than two hits
+  Index guessed_faces = 0;    ///< of these, the ones a trace of the input could not decide
+};
+
+/// A kd-tree grid with its hits and links. Movable and copyable; a moved-from grid is empty.
+class Grid {
+ public:
+  Grid();
+  explicit Grid(std::unique_ptr<GridData> data);
+  Grid(const Grid& other);
+  Grid& operator=(const Grid& other);
+  Grid(Grid&&) noexcept;
+  Grid& operator=(Grid&&) noexcept;
+  ~Grid();
+
+  const GridStats& stats() const;
+  const InputReport& input() const;
+
+  /// For the library's own algorithms; not part of the interface.
+  const GridData& data() const { return *data_; }
+  GridData& data() { return *data_; }
+
+ private:
+  std::unique_ptr<GridData> data_;
+};
+
+}  // namespace kdm

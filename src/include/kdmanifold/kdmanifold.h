@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// Everything. A mesh goes through read_mesh, build_grid and extract to write_mesh.
+#pragma once
+
+#include "kdmanifold/build.h"
+#include "kdmanifold/error.h"
+#include "kdmanifold/extract.h"
+#include "kdmanifold/grid.h"
+#include "kdmanifold/mesh.h"
+#include "kdmanifold/mesh_io.h"
+#include "kdmanifold/progress.h"
+#include "kdmanifold/types.h"
+#include "kdmanifold/version.h"

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// A polygon mesh and what can be said about it.
+#pragma once
+
+#include <vector>
+
+#include "kdmanifold/types.h"
+
+namespace kdm {
+
+/// Triangles (and, from `extract` with `quads`, quads) over shared vertex positions.
+struct Mesh {
+  std::vector<Vec3> positions;
+  std::vector<Triangle> triangles;
+  std::vector<Quad> quads;
+  /// Where each face comes from: one entry a triangle, then one a quad, or empty.
+  /// `read_mesh`: the file's face (from 0) that the triangle was cut from.
+  /// `extract`: the same of the input triangle, or that triangle's own number if it had none.
+  std::vector<Index> source_faces;
+};
+
+/// Counts over the mesh as an index mesh: two faces meet where they use the same vertex numbers.
+struct MeshReport {
+  Index vertices = 0;  ///< positions, also unreferenced ones
+  Index triangles = 0;
+  Index quads = 0;
+  Index unreferenced_vertices = 0;
+  Index boundary_edges = 0;      ///< edges with one face
+  Index non_manifold_edges = 0;  ///< edges with three or more faces
+  Index misoriented_edges = 0;   ///< edges whose two faces run the same way along it
+  Index non_manifold_vertices = 0;  ///< vertices whose faces do not form one fan
+  Index degenerate_faces = 0;       ///< faces with a repeated vertex
+  Index duplicate_faces = 0;        ///< faces over the same vertices as an earlier one
+  Index components = 0;             ///< parts joined by edges
+  std::int64_t euler_characteristic = 0;  ///< referenced vertices - edges + faces
+  bool closed = false;        ///< no edge with one face, and at least one face
+  bool two_manifold = false;  ///< closed, and none of the faults above
+  double volume = 0;          ///< signed; positive where normals point outwards
+  double area = 0;
+  Box bounds;
+};
+
+/// Counts everything above. Linear in the faces up to sorting. Throws `kInvalidMesh` if a face
+/// names a vertex that does not exist.
+MeshReport describe(const Mesh& mesh);
+
+}  // namespace kdm

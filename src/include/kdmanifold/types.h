@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// The value types that the public interface is made of.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+
+namespace kdm {
+
+/// Number of a vertex, face, cell, hit: everything refers to everything else by index.
+using Index = std::uint32_t;
+
+/// "No such thing", wherever an Index may be missing.
+inline constexpr Index kNone = 0xffffffffu;
+
+/// A point or direction, in the model's own units.
+using Vec3 = Eigen::Vector3d;
+
+/// Vertex indices of a face, counter-clockwise seen from outside.
+using Triangle = std::array<Index, 3>;
+using Quad = std::array<Index, 4>;
+
+/// An axis-aligned box; empty while `min` exceeds `max`.
+struct Box {
+  Vec3 min = Vec3::Constant(1);
+  Vec3 max = Vec3::Constant(0);
+};
+
+}  // namespace kdm
