@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// Numbers in binary files: read with checks against the end, written to a string. Bytes are put
+// together by shifts, so the machine's own order does not matter.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <string_view>
+
+#include "kdmanifold/error.h"
+
+namespace kdm {
+
+enum class ByteOrder { kLittle, kBig };
+
+class ByteReader {
+ public:
+  /// Starts at byte `offset`. Both views must outlive the reader.
+  ByteReader(std::string_view bytes, std::string_view name, ByteOrder order, std::size_t offset)
+      : bytes_(bytes), name_(name), order_(order), at_(offset) {}
+
+  std::size_t offset() const { return at_; }
+  std::size_t bytes_left() const { return bytes_.size() - at_; }
+
+  /// Throws unless `count` items of `size` bytes are left; nothing is multiplied that could wrap.
+  void require(std::uint64_t count, std::size_t size, std::string_view what) const {
+    if (size != 0 && count > bytes_left() / size) {
+      fail(fmt::format("{} x {} of {} bytes should follow, but the file ends at byte {}", count,
+                       what, size, bytes_.size()));
+    }
+  }
+  void skip(std::size_t count) { at_ += count; }
+
+  template <typename Unsigned>
+  Unsigned take_unsigned() {
+    Unsigned value = 0;
+    for (std::size_t i = 0; i < sizeof(Unsigned); ++i) {
+      const std::size_t place = order_ == ByteOrder::kLittle ? i : sizeof(Unsigned) - 1 - i;
+      const auto byte = static_cast<unsigned char>(bytes_[at_ + i]);
+      value = static_cast<Unsigned>(value | static_cast<Unsigned>(byte) << (8 * place));
+    }
+    at_ += sizeof(Unsigned);
+    return value;
+  }
+  /// `To` has the size of `Unsigned`: an integer or a floating-point number.
+  template <typename To, typename Unsigned>
+  To take() {
+    static_assert(sizeof(To) == sizeof(Unsigned));
+    const Unsigned bits = take_unsigned<Unsigned>();
+    To value;
+    std::memcpy(&value, &bits, sizeof value);
+    return value;
+  }
+
+  [[noreturn]] void fail(std::string_view message) const { fail_at(at_, message); }
+  [[noreturn]] void fail_at(std::size_t offset, std::string_view message) const {
+    throw Error(ErrorCode::kParseError, fmt::format("{}: byte {}: {}", name_, offset, message));
+  }
+
+ private:
+  std::string_view bytes_;
+  std::string_view name_;
+  ByteOrder order_;
+  std::size_t at_;
+};
+
+inline void append_u8(std::string& out, std::uint8_t value) { out += static_cast<char>(value); }
+inline void append_u16(std::string& out, std::uint16_t value) {
+  for (int shift = 0; shift < 16; shift += 8) out += static_cast<char>(value >> shift & 0xff);
+}
+inline void append_u32(std::string& out, std::uint32_t value) {
+  char bytes[4];
+  for (int i = 0; i < 4; ++i) bytes[i] = static_cast<char>(value >> (8 * i) & 0xff);
+  out.append(bytes, 4);
+}
+inline void append_f32(std::string& out, float value) {
+  std::uint32_t bits;
+  std::memcpy(&bits, &value, sizeof bits);
+  append_u32(out, bits);
+}
+
+}  // namespace kdm

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+// Reads words and numbers from text and knows the line it is on. Numbers are read the same way
+// whatever the locale (fast_float); CR, LF and CR LF all end a line.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace kdm {
+
+/// What a format's text allows beside words and line ends.
+struct TextSyntax {
+  bool comments = false;       ///< `#` at the start of a word: the rest of the line is ignored
+  bool continuations = false;  ///< a backslash before the line end joins the next line
+};
+
+class TextScanner {
+ public:
+  /// Both views must outlive the scanner. `name` is what messages call the text.
+  TextScanner(std::string_view text, std::string_view name, TextSyntax syntax = {})
+      : begin_(text.data()),
+        at_(text.data()),
+        end_(text.data() + text.size()),
+        name_(name),
+        syntax_(syntax) {}
+
+  bool at_end() const { return at_ == end_; }
+  std::size_t offset() const { return static_cast<std::size_t>(at_ - begin_); }
+  std::size_t bytes_left() const { return static_cast<std::size_t>(end_ - at_); }
+  std::size_t line() const { return line_; }
+
+  /// Skips blanks within the line; true if nothing but the line end (or a comment) follows.
+  bool at_line_end() {
+    skip_blanks();
+    return at_end() || is_newline(*at_) || (syntax_.comments && *at_ == '#');
+  }
+
+  /// Goes to the start of the next line.
+  void skip_line() {
+    while (!at_end() && !is_newline(*at_)) ++at_;
+    skip_newline();
+  }
+
+  /// Goes to the next word, over lines and comments; false if there is none.
+  bool find_word() {
+    while (at_line_end()) {
+      if (at_end()) return false;
+      skip_line();
+    }
+    return true;
+  }
+
+  /// The next word of this line, empty at its end.
+  std::string_view word() {
+    if (at_line_end()) return {};
+    const char* first = at_;
+    while (!at_delimiter()) ++at_;
+    return {first, static_cast<std::size_t>(at_ - first)};
+  }
+
+  /// The next character if the word goes on, else 0.
+  char peek() const { return at_delimiter() ? '\0' : *at_; }
+  void skip_char() { ++at_; }
+  /// Takes `prefix` if the text goes on with it.
+  bool take(std::string_view prefix) {
+    if (std::string_view(at_, bytes_left()).substr(0, prefix.size()) != prefix) return false;
+    at_ += prefix.size();
+    return true;
+  }
+
+  /// The next word of this line as a finite number; `what` names it in messages.
+  double number(const char* what);
+  /// The next word of this line as an integer.
+  std::int64_t integer(const char* what);
+  /// An integer at the next word's start; the word may go on behind it.
+  std::int64_t integer_prefix(const char* what);
+
+  /// Throws `kParseError`: name, line, message.
+  [[noreturn]] void fail(std::string_view message) const { fail_at(line_, message); }
+  [[noreturn]] void fail_at(std::size_t line, std::string_view message) const;
+  /// Throws `kParseError`: what is expected here, and what is there instead.
+  [[noreturn]] void fail_expected(std::string_view what) const;
+
+ private:
+  static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
+  static bool is_newline(char c) { return c == '\n' || c == '\r'; }
+  bool at_continuation() const {
+    return syntax_.continuations && *at_ == '\\' && (at_ + 1 == end_ || is_newline(at_[1]));
+  }
+  bool at_delimiter() const {
+    return at_end() || is_blank(*at_) || is_newline(*at_) || at_continuation();
+  }
+  void skip_blanks() {
+    for (; !at_end(); ++at_) {
+      if (is_blank(*at_)) continue;
+      if (!at_continuation()) return;
+      ++at_;
+      skip_newline();
+      --at_;
+    }
+  }
+  void skip_newline() {
+    if (at_end()) return;
+    if (*at_ == '\r' && at_ + 1 != end_ && at_[1] == '\n') ++at_;
+    ++at_;
+    ++line_;
+  }
+
+  const char* begin_;
+  const char* at_;
+  const char* end_;
+  std::string_view name_;
+  TextSyntax syntax_;
+  std::size_t line_ = 1;
+};
+
+/// Bytes of a file as they can stand in a one-line message: printable, not too long, in quotes.
+std::string quoted(std::string_view bytes);
+
+}  // namespace kdm
