@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// Mesh -> grid: prepare, construct, link.
+#include <fmt/format.h>
+
+#include <new>
+
+#include "build/construct.h"
+#include "build/link.h"
+#include "build/surface.h"
+#include "kdmanifold/build.h"
+#include "kdmanifold/error.h"
+
+namespace kdm {
+namespace {
+
+constexpr int kMaxDepth = 3 * kLatticeBits;
+
+void check_options(const BuildOptions& options) {
+  if (options.depth < 1 || options.depth > kMaxDepth) {
+    throw Error(ErrorCode::kInvalidOption,
+                fmt::format("depth is {}; it must be from 1 to {}", options.depth, kMaxDepth));
+  }
+}
+
+void report(const Progress& progress, double fraction, std::string_view phase) {
+  if (progress && !progress(fraction, phase)) {
+    throw Error(ErrorCode::kAborted, "stopped by the progress callback");
+  }
+}
+
+}  // namespace
+
+Grid build_grid(const Mesh& mesh, const BuildOptions& options, const Progress& progress) try {
+  check_options(options);
+  report(progress, 0.0, "prepare");
+  Surface surface = prepare_surface(mesh);
+  auto grid = std::make_unique<GridData>();
+  grid->lattice = surface.lattice;
+  grid->input = surface.report;
+  report(progress, 0.1, "build");
+  const Progress within = [&](double fraction, std::string_view phase) {
+    return progress(0.1 + 0.7 * fraction, phase);
+  };
+  construct_cells(surface, options, progress ? within : Progress(), *grid);
+  report(progress, 0.8, "link");
+  grid->planes = std::move(surface.planes);
+  grid->source_faces = std::move(surface.source_faces);
+  link_half_edges(surface, options.pairing, *grid);
+  grid->stats.cells = static_cast<Index>(grid->cells.size());
+  grid->stats.leaves = static_cast<Index>(grid->cells.size() - grid->cells.size() / 2);
+  grid->stats.hits = static_cast<Index>(grid->hits.size());
+  grid->stats.bytes = grid->bytes();
+  report(progress, 1.0, "link");
+  return Grid(std::move(grid));
+} catch (const std::bad_alloc&) {
+  throw Error(ErrorCode::kOutOfMemory, "there is not enough memory to build the grid");
+}
+
+}  // namespace kdm

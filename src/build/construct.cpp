@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: MIT
+// The top-down construction of the cell tree and its hits (paper 5.1.1).
+//
+// A cell goes down with its twelve edges, each a range of crossings on one ancestor's splitting
+// edge, and with the winding numbers at its corners; so a new corner's winding number is looked
+// up in a range, never searched for among triangles.
+#include "build/construct.h"
+
+#include <algorithm>
+
+#include "build/split_rules.h"
+#include "build/triangle_lists.h"
+#include "build/winding.h"
+#include "geometry/assert.h"
+#include "kdmanifold/error.h"
+
+namespace kdm {
+namespace {
+
+constexpr std::uint32_t kProgressInterval = 4096;  // cells between two calls
+
+/// Crossings of a cell's edge, by number.
+struct EdgeRange {
+  Index begin = 0;
+  Index end = 0;
+};
+
+/// What a cell hands down. Edge e + axis * 4 runs along `axis`; bit 0 of e: high end of the next
+/// axis, bit 1: high end of the previous axis. Corner bits: x, y, z.
+struct CellFrame {
+  Index cell = 0;
+  int depth = 0;
+  LatticeBox box;
+  std::array<EdgeRange, 12> edges;
+  std::array<int, 8> winding{};
+  ListRange triangles;
+  RuleRange rule;
+  double done_before = 0;  // fraction of the work before and after this cell
+  double done_after = 1;
+};
+
+constexpr int edge_number(int axis, bool high_next, bool high_previous) {
+  return 4 * axis + (high_next ? 1 : 0) + (high_previous ? 2 : 0);
+}
+
+class Construction {
+ public:
+  Construction(const Surface& surface, const BuildOptions& options, const Progress& progress,
+               GridData& grid)
+      : surface_(surface),
+        inside_(options.inside),
+        progress_(progress),
+        grid_(grid),
+        rule_(make_split_rule(surface, options)),
+        lists_(surface.triangles, surface.degenerate) {}
+
+  void run() {
+    grid_.cells.assign(1, Cell());
+    grid_.edge_begin.assign(1, 0);
+    const std::size_t guess = 2 * surface_.triangles.size();
+    grid_.cells.reserve(2 * guess);
+    grid_.edge_begin.reserve(4 * guess);
+    grid_.hits.reserve(2 * guess);
+    winding_after_.reserve(2 * guess);
+    CellFrame root;
+    root.triangles = lists_.all();
+    root.rule = rule_->root();
+    split_cell(root);
+    drop_internal_crossings();
+    grid_.cells.shrink_to_fit();
+    grid_.edge_begin.shrink_to_fit();
+    grid_.hits.shrink_to_fit();
+    mark_active_sides();
+  }
+
+ private:
+  void split_cell(const CellFrame& frame) {
+    report_progress(frame.done_before);
+    grid_.stats.depth = std::max(grid_.stats.depth, frame.depth);
+    if (frame.triangles.size() == 0) return;
+    const std::optional<Split> split =
+        rule_->choose(frame.box, frame.depth, lists_.entries(frame.triangles), frame.rule);
+    if (!split) return;
+    KDM_ASSERT(split->value > frame.box.lo[split->axis] && split->value < frame.box.hi[split->axis],
+               "a split lies strictly inside its cell");
+    const auto first_child = static_cast<Index>(grid_.cells.size());
+    grid_.cells[frame.cell] = Cell(first_child, split->axis, split->value);
+    grid_.cells.resize(grid_.cells.size() + 2);
+
+    CellFrame below = frame;
+    CellFrame above = frame;
+    divide_edges(frame, *split, below, above);
+    const TriangleLists::Children lists = lists_.divide(frame.triangles, split->axis, split->value);
+    add_splitting_edges(frame, *split, below, above);
+
+    below.triangles = lists.below;
+    above.triangles = lists.above;
+    const auto ranges = rule_->divide(frame.rule, *split);
+    below.rule = ranges[0];
+    above.rule = ranges[1];
+    below.cell = first_child;
+    above.cell = first_child + 1;
+    below.depth = above.depth = frame.depth + 1;
+    below.box.hi[split->axis] = split->value;
+    above.box.lo[split->axis] = split->value;
+    const double share = lists.below.size() + lists.above.size();
+    below.done_after = above.done_before =
+        frame.done_before +
+        (frame.done_after - frame.done_before) * (share > 0 ? lists.below.size() / share : 0.5);
+    // The list of the upper child lies on top in the arena, but the lower child comes first in
+    // depth-first order; its descendants' lists go above both.
+    split_cell(below);
+    split_cell(above);
+    lists_.release(lists.below);
+  }
+
+  // The four edges across the plane are cut; their crossings there give the winding numbers at
+  // the corners of the splitting face.
+  void divide_edges(const CellFrame& frame, const Split& split, CellFrame& below,
+                    CellFrame& above) const {
+    const int w = split.axis;
+    for (int e = 0; e < 4; ++e) {
+      const bool high_next = (e & 1) != 0;
+      const bool high_previous = (e & 2) != 0;
+      const EdgeRange whole = frame.edges[4 * w + e];
+      Index cut = whole.begin;
+      while (cut < whole.end && floor_of(grid_.hits[cut].position) < split.value) ++cut;
+      below.edges[4 * w + e].end = cut;
+      above.edges[4 * w + e].begin = cut;
+      const int low_corner =
+          (high_next ? 1 << next_axis(w) : 0) | (high_previous ? 1 << previous_axis(w) : 0);
+      const int high_corner = low_corner | 1 << w;
+      const int winding = cut == whole.begin ? frame.winding[low_corner] : winding_after_[cut - 1];
+      below.winding[high_corner] = winding;
+      above.winding[low_corner] = winding;
+    }
+  }
+
+  // Finds the crossings of the four new edges and hands them to both children.
+  void add_splitting_edges(const CellFrame& frame, const Split& split, CellFrame& below,
+                           CellFrame& above) {
+    const int w = split.axis;
+    const int u = next_axis(w);
+    const int v = previous_axis(w);
+    const LatticeBox& box = frame.box;
+    for (std::vector<Crossing>& crossings : crossings_) crossings.clear();
+    for (const Index i : lists_.straddlers()) {
+      const ListEntry& entry = lists_.entry(i);
+      const LatticeBox& bounds = entry.bounds;
+      if (bounds.lo[v] == box.lo[v]) cross(entry.triangle, u, box.lo[v], split.value, box, 0);
+      if (bounds.hi[u] == box.hi[u]) cross(entry.triangle, v, split.value, box.hi[u], box, 1);
+      if (bounds.hi[v] == box.hi[v]) cross(entry.triangle, u, box.hi[v], split.value, box, 2);
+      if (bounds.lo[u] == box.lo[u]) cross(entry.triangle, v, split.value, box.lo[u], box, 3);
+    }
+    // The corner at the low end of each edge, on the splitting face.
+    const std::array<int, 4> low_corner{0, 1 << u, 1 << v, 0};
+    for (int i = 0; i < 4; ++i) {
+      EdgeRange range;
+      range.begin = static_cast<Index>(grid_.hits.size());
+      const int winding = walk_edge(crossings_[i], above.winding[low_corner[i]], inside_, walked_);
+      KDM_ASSERT(winding == above.winding[low_corner[i] | 1 << axis_of_edge(w, i)],
+                 "winding numbers agree along all edges of a splitting face");
+      static_cast<void>(winding);
+      for (const WalkedCrossing& c : walked_) {
+        grid_.hits.push_back(Hit(c.crossing.position, c.crossing.triangle, c.leaving,
+                                 reversed_on_edge(i, c.leaving)));
+        winding_after_.push_back(c.winding_after);
+        kept_.push_back(c.kept);
+        dropped_ += c.kept ? 0 : 1;
+        rule_->on_crossing(c.crossing.triangle);
+      }
+      range.end = static_cast<Index>(grid_.hits.size());
+      grid_.edge_begin.push_back(range.end);
+      // Edges 0 and 2 run along u, at the low and high end of v; 1 and 3 along v, at the high and
+      // low end of u. For axis u the next axis is v and the previous one is w.
+      const int axis = axis_of_edge(w, i);
+      const bool high = i == 1 || i == 2;
+      if (axis == u) {
+        below.edges[edge_number(u, high, true)] = range;
+        above.edges[edge_number(u, high, false)] = range;
+      } else {
+        below.edges[edge_number(v, true, high)] = range;
+        above.edges[edge_number(v, false, high)] = range;
+      }
+    }
+  }
+
+  // Adds the crossing of a triangle with splitting edge i if there is one within the cell.
+  void cross(Index triangle, int axis, std::int32_t p, std::int32_t q, const LatticeBox& box,
+             int i) {
+    const LatticeTriangle& t = surface_.triangles[triangle];
+    const int sign = line_crosses(t, axis, p, q);
+    if (sign == 0) return;
+    const LinePosition position = crossing_position(t, axis, p, q);
+    if (floor_of(position) < box.lo[axis] || floor_of(position) >= box.hi[axis]) return;
+    crossings_[i].push_back({position, triangle, sign > 0});
+  }
+
+  // Crossings at which the inside rule does not change were needed for winding numbers only.
+  void drop_internal_crossings() {
+    if (dropped_ == 0) return;
+    Index kept = 0;
+    Index i = 0;
+    for (std::size_t edge = 1; edge < grid_.edge_begin.size(); ++edge) {
+      for (; i < grid_.edge_begin[edge]; ++i) {
+        if (kept_[i]) grid_.hits[kept++] = grid_.hits[i];
+      }
+      grid_.edge_begin[edge] = kept;
+    }
+    grid_.hits.resize(kept);
+  }
+
+  void mark_active_sides() {
+    for (std::size_t c = grid_.cells.size(); c-- > 0;) {
+      Cell& cell = grid_.cells[c];
+      if (cell.leaf()) continue;
+      const Cell& below = grid_.cells[cell.below()];
+      const Cell& above = grid_.cells[cell.above()];
+      for (int axis = 0; axis < 3; ++axis) {
+        for (const bool high : {false, true}) {
+          bool active = false;
+          if (axis == cell.axis()) {
+            active = (high ? above : below).active(axis, high);
+          } else {
+            const Index edge =
+                4 * cell.split() + static_cast<Index>(edge_on_side(cell.axis(), axis, high));
+            active = below.active(axis, high) || above.active(axis, high) ||
+                     grid_.edge_begin[edge] != grid_.edge_begin[edge + 1];
+          }
+          if (active) cell.set_active(axis, high);
+        }
+      }
+    }
+  }
+
+  void report_progress(double fraction) {
+    if (!progress_ || ++cells_since_report_ < kProgressInterval) return;
+    cells_since_report_ = 0;
+    if (!progress_(fraction, "build")) {
+      throw Error(ErrorCode::kAborted, "stopped by the progress callback");
+    }
+  }
+
+  const Surface& surface_;
+  InsideRule inside_;
+  const Progress& progress_;
+  GridData& grid_;
+  std::unique_ptr<SplitRule> rule_;
+  TriangleLists lists_;
+  std::vector<int> winding_after_;  // per crossing; hits_ holds all crossings until the end
+  std::vector<bool> kept_;
+  Index dropped_ = 0;
+  std::array<std::vector<Crossing>, 4> crossings_;
+  std::vector<WalkedCrossing> walked_;
+  std::uint32_t cells_since_report_ = 0;
+};
+
+}  // namespace
+
+void construct_cells(const Surface& surface, const BuildOptions& options, const Progress& progress,
+                     GridData& grid) {
+  Construction(surface, options, progress, grid).run();
+}
+
+}  // namespace kdm

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// The top-down construction of the cell tree and its hits (paper 5.1.1).
+#pragma once
+
+#include "build/surface.h"
+#include "grid/grid_data.h"
+#include "kdmanifold/build.h"
+
+namespace kdm {
+
+/// Fills cells, splitting edges and hits of `grid`; links are another step.
+void construct_cells(const Surface& surface, const BuildOptions& options, const Progress& progress,
+                     GridData& grid);
+
+}  // namespace kdm

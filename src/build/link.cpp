@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+// Pairing half-edges across minimal faces (paper 2.1).
+//
+// Two hits are linked. With more, several pairings are manifold in the sense of half-edges; which
+// one is right is geometry. On a solid's outline entering and leaving hits alternate, and every
+// pairing made here joins hits with an even number of others between them, without crossings.
+#include "build/link.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "build/matching.h"
+#include "build/trace.h"
+#include "geometry/assert.h"
+#include "grid/faces.h"
+
+namespace kdm {
+namespace {
+
+// The dynamic programme is cubic; beyond this many hits neighbours are paired (paper's rule).
+constexpr Index kMatchingLimit = 256;
+
+// A hit on the outline of a face, in cyclic order.
+struct OutlineHit {
+  Index half_edge;
+  Index hit;
+  int side;
+  bool starts_below;
+  bool ascending;  // the outline runs up the grid edge here
+};
+
+class Linking {
+ public:
+  Linking(const Surface& surface, Pairing pairing, GridData& grid)
+      : surface_(surface), pairing_(pairing), grid_(grid) {}
+
+  void operator()(const MinimalFace& face) {
+    if (face.strip()) {
+      link_strip(face);
+      return;
+    }
+    collect(face);
+    const auto count = static_cast<Index>(outline_.size());
+    KDM_ASSERT(count % 2 == 0, "an even number of hits lies round a minimal face");
+    if (count == 2) {
+      link(face, outline_[0], outline_[1], 0);
+      return;
+    }
+    ++grid_.stats.ambiguous_faces;
+    const std::vector<Index> partner = pair(face, count);
+    for (Index i = 0; i < count; ++i) {
+      if (partner[i] > i) link(face, outline_[i], outline_[partner[i]], 0);
+    }
+  }
+
+ private:
+  // The two long sides coincide: their hits are the same crossings and pair one to one.
+  void link_strip(const MinimalFace& face) {
+    const int first = face.lo(0) == face.hi(0) ? 1 : 0;
+    const FaceEdge& a = face.edges[first];
+    const FaceEdge& b = face.edges[first + 2];
+    KDM_ASSERT(a.size() == b.size(), "the long sides of a strip carry the same hits");
+    for (Index i = 0; i < a.size(); ++i) {
+      link(face, outline_hit(a, a.begin + i, first), outline_hit(b, b.begin + i, first + 2),
+           GridData::kStrip);
+    }
+  }
+
+  OutlineHit outline_hit(const FaceEdge& edge, Index hit, int side) const {
+    return {3 * hit + edge.slot, hit, side, starts_below(edge, grid_.hits[hit].reversed()),
+            side == 0 || side == 1};
+  }
+
+  // Counter-clockwise: sides 0 and 1 upwards, sides 2 and 3 downwards.
+  void collect(const MinimalFace& face) {
+    outline_.clear();
+    for (int side = 0; side < 4; ++side) {
+      const FaceEdge& edge = face.edges[side];
+      for (Index i = 0; i < edge.size(); ++i) {
+        const Index hit = side < 2 ? edge.begin + i : edge.end - 1 - i;
+        outline_.push_back(outline_hit(edge, hit, side));
+      }
+    }
+  }
+
+  void link(const MinimalFace& face, const OutlineHit& a, const OutlineHit& b,
+            std::uint32_t strip) {
+    KDM_ASSERT(a.starts_below != b.starts_below, "linked half-edges run against each other");
+    grid_.opposite[a.half_edge] = b.half_edge;
+    grid_.opposite[b.half_edge] = a.half_edge;
+    grid_.start[a.half_edge] = (a.starts_below ? face.below : face.above) | strip;
+    grid_.start[b.half_edge] = (b.starts_below ? face.below : face.above) | strip;
+  }
+
+  std::vector<Index> pair(const MinimalFace& face, Index count) {
+    if (pairing_ == Pairing::kInside || pairing_ == Pairing::kOutside || count > kMatchingLimit) {
+      grid_.stats.guessed_faces += pairing_ == Pairing::kTrace ? 1 : 0;
+      return pair_neighbours(count, pairing_ != Pairing::kOutside);
+    }
+    std::vector<Index> traced(count, kNone);
+    if (pairing_ == Pairing::kTrace) trace(face, traced);
+    tangents(face);
+    // Traced pairs cost nothing; to part one costs more than any deviation.
+    constexpr double kParting = 1e30;
+    const std::vector<Index> partner = match_without_crossings(count, [&](Index i, Index j) {
+      if (traced[i] == j) return 0.0;
+      if (traced[i] != kNone || traced[j] != kNone) return kParting;
+      return deviation(i, j);
+    });
+    if (pairing_ == Pairing::kTrace && partner != traced) ++grid_.stats.guessed_faces;
+    return partner;
+  }
+
+  // Paper 2.1: links consecutive hits, those at the ends of inside (or outside) stretches.
+  std::vector<Index> pair_neighbours(Index count, bool inside) const {
+    // The outline enters the solid at an ascending hit that does not lead out, and the like.
+    const OutlineHit& first = outline_[0];
+    const bool enters = grid_.hits[first.hit].leaving() != first.ascending;
+    const Index offset = enters == inside ? 0 : 1;
+    std::vector<Index> partner(count);
+    for (Index i = 0; i < count; i += 2) {
+      const Index a = (i + offset) % count;
+      const Index b = (i + offset + 1) % count;
+      partner[a] = b;
+      partner[b] = a;
+    }
+    return partner;
+  }
+
+  // Keeps what both ends agree upon.
+  void trace(const MinimalFace& face, std::vector<Index>& traced) {
+    ends_.clear();
+    for (const OutlineHit& h : outline_) {
+      ends_.push_back({grid_.hits[h.hit].plane(), h.side});
+    }
+    const std::array<std::int32_t, 2> lo{face.lo(0), face.lo(1)};
+    const std::array<std::int32_t, 2> hi{face.hi(0), face.hi(1)};
+    for (Index i = 0; i < traced.size(); ++i) {
+      traced[i] = trace_to_end(surface_, face.axis, face.plane, lo, hi, ends_, i);
+    }
+    const std::vector<Index> found = traced;
+    for (Index i = 0; i < traced.size(); ++i) {
+      const Index j = found[i];
+      const bool mutual = j != kNone && found[j] == i && (i + j) % 2 == 1;
+      if (!mutual) traced[i] = kNone;
+    }
+  }
+
+  struct Tangent {
+    double u, v;    // the hit's point on the face
+    double nu, nv;  // unit normal of its tangent line there, or zero
+  };
+
+  void tangents(const MinimalFace& face) {
+    tangents_.clear();
+    const int u = next_axis(face.axis);
+    const int v = previous_axis(face.axis);
+    for (const OutlineHit& h : outline_) {
+      const double along = real_position(grid_.hits[h.hit].position);
+      Tangent t{along, along, 0, 0};
+      if (h.side == 0 || h.side == 2) {
+        t.v = h.side == 0 ? face.lo(1) : face.hi(1);
+      } else {
+        t.u = h.side == 3 ? face.lo(0) : face.hi(0);
+      }
+      const Vec3& normal = grid_.planes[grid_.hits[h.hit].plane()].normal;
+      const double length = std::sqrt(normal[u] * normal[u] + normal[v] * normal[v]);
+      if (length > 0) {
+        t.nu = normal[u] / length;
+        t.nv = normal[v] / length;
+      }
+      tangents_.push_back(t);
+    }
+  }
+
+  // How far each of two hits lies from the other's tangent line, squared; a little of their
+  // distance decides between pairings that fit equally well.
+  double deviation(Index i, Index j) const {
+    const Tangent& a = tangents_[i];
+    const Tangent& b = tangents_[j];
+    const double du = b.u - a.u;
+    const double dv = b.v - a.v;
+    const double from_a = a.nu * du + a.nv * dv;
+    const double from_b = b.nu * du + b.nv * dv;
+    return from_a * from_a + from_b * from_b + 1e-6 * (du * du + dv * dv);
+  }
+
+  const Surface& surface_;
+  Pairing pairing_;
+  GridData& grid_;
+  std::vector<OutlineHit> outline_;
+  std::vector<TraceEnd> ends_;
+  std::vector<Tangent> tangents_;
+};
+
+}  // namespace
+
+void link_half_edges(const Surface& surface, Pairing pairing, GridData& grid) {
+  grid.opposite.assign(3 * grid.hits.size(), kNone);
+  grid.start.assign(3 * grid.hits.size(), kNone);
+  Linking linking(surface, pairing, grid);
+  for_each_face(grid, cell_boxes(grid), linking);
+}
+
+}  // namespace kdm

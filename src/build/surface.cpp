@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+// The input as construction sees it: checks, welding, rounding, orientation.
+#include "build/surface.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+
+#include "geometry/predicates.h"
+#include "kdmanifold/error.h"
+#include "mesh/weld.h"
+
+namespace kdm {
+namespace {
+
+// Squares of coordinates must stay finite.
+constexpr double kLargestCoordinate = 1e150;
+
+void check_positions(const Mesh& mesh) {
+  if (mesh.positions.empty()) throw Error(ErrorCode::kInvalidMesh, "the mesh has no vertices");
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    const Vec3& p = mesh.positions[i];
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!(std::abs(p[axis]) <= kLargestCoordinate)) {
+        throw Error(ErrorCode::kInvalidMesh,
+                    fmt::format("positions: vertex {} has {} coordinate {}, which is not a finite "
+                                "number of at most 1e150",
+                                i, "xyz"[axis], p[axis]));
+      }
+    }
+  }
+}
+
+// Input triangles with quads cut in two; `source` tells the face each came from.
+struct Faces {
+  std::vector<Triangle> triangles;
+  std::vector<Index> source;
+};
+
+Faces collect_faces(const Mesh& mesh) {
+  const std::size_t faces = mesh.triangles.size() + mesh.quads.size();
+  if (faces == 0) throw Error(ErrorCode::kInvalidMesh, "the mesh has no faces");
+  if (!mesh.source_faces.empty() && mesh.source_faces.size() != faces) {
+    throw Error(ErrorCode::kInvalidMesh, fmt::format("source_faces has {} entries for {} faces",
+                                                     mesh.source_faces.size(), faces));
+  }
+  if (faces >= (std::size_t{1} << 29)) {
+    throw Error(ErrorCode::kInvalidMesh, fmt::format("{} faces; 2^29 is the limit", faces));
+  }
+  Faces result;
+  result.triangles.reserve(mesh.triangles.size() + 2 * mesh.quads.size());
+  result.source.reserve(result.triangles.capacity());
+  const auto check = [&](std::size_t face, Index vertex) {
+    if (vertex >= mesh.positions.size()) {
+      throw Error(ErrorCode::kInvalidMesh,
+                  fmt::format("indices: face {} names vertex {}, but there are {} vertices", face,
+                              vertex, mesh.positions.size()));
+    }
+  };
+  const auto add = [&](std::size_t face, const Triangle& t) {
+    result.triangles.push_back(t);
+    result.source.push_back(mesh.source_faces.empty() ? static_cast<Index>(face)
+                                                      : mesh.source_faces[face]);
+  };
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    for (const Index vertex : mesh.triangles[i]) check(i, vertex);
+    add(i, mesh.triangles[i]);
+  }
+  for (std::size_t i = 0; i < mesh.quads.size(); ++i) {
+    const std::size_t face = mesh.triangles.size() + i;
+    const Quad& q = mesh.quads[i];
+    for (const Index vertex : q) check(face, vertex);
+    add(face, {q[0], q[1], q[2]});
+    add(face, {q[0], q[2], q[3]});
+  }
+  return result;
+}
+
+[[noreturn]] void throw_not_closed(const Faces& faces, const std::vector<Vec3>& points,
+                                   const Topology& topology) {
+  const Index side = topology.first_unbalanced;
+  const Triangle& t = faces.triangles[side / 3];
+  const Vec3& a = points[t[side % 3]];
+  const Vec3& b = points[t[next_corner(static_cast<int>(side % 3))]];
+  throw Error(ErrorCode::kNotClosed,
+              fmt::format("the surface is not closed and consistently oriented: {} of its edges "
+                          "are not used equally often in both directions (boundary edges: {}); "
+                          "the first is ({}, {}, {}) - ({}, {}, {}) of face {}",
+                          topology.unbalanced_edges, topology.boundary_edges, a[0], a[1], a[2],
+                          b[0], b[1], b[2], faces.source[side / 3]));
+}
+
+// Six times the enclosed volume, about the middle of the root cell.
+double signed_volume(const std::vector<LatticeTriangle>& triangles) {
+  constexpr double kMiddle = kLatticeSize / 2.0;
+  double sum = 0;
+  for (const LatticeTriangle& t : triangles) {
+    Vec3 corner[3];
+    for (int i = 0; i < 3; ++i) {
+      corner[i] = Vec3(t[i][0] - kMiddle, t[i][1] - kMiddle, t[i][2] - kMiddle);
+    }
+    sum += corner[0].dot(corner[1].cross(corner[2]));
+  }
+  return sum;
+}
+
+// Exchanges corners 1 and 2 of every triangle: side 0 (0,1) becomes side 2 and the other way round.
+void turn_around(Faces& faces, Topology& topology,
+                 std::vector<LatticeTriangle>& lattice_triangles) {
+  const auto turned = [](Index side) {
+    return side == kNone ? kNone : side - side % 3 + (2 - side % 3);
+  };
+  std::vector<Index> twin(topology.twin.size());
+  for (Index side = 0; side < twin.size(); ++side) twin[turned(side)] = turned(topology.twin[side]);
+  topology.twin = std::move(twin);
+  for (Triangle& t : faces.triangles) std::swap(t[1], t[2]);
+  for (LatticeTriangle& t : lattice_triangles) std::swap(t[1], t[2]);
+}
+
+Plane plane_of(const Vec3& a, const Vec3& b, const Vec3& c, const LatticeTriangle& rounded) {
+  Vec3 normal = (b - a).cross(c - a);
+  double length = normal.norm();
+  if (!(length > 0)) {  // no area before rounding, some after it
+    const auto area = area_vector(rounded);
+    normal = Vec3(static_cast<double>(area[0]), static_cast<double>(area[1]),
+                  static_cast<double>(area[2]));
+    length = normal.norm();
+    if (!(length > 0)) return {};
+  }
+  normal /= length;
+  return {normal, normal.dot((a + b + c) / 3.0)};
+}
+
+}  // namespace
+
+Surface prepare_surface(const Mesh& mesh) {
+  check_positions(mesh);
+  Faces faces = collect_faces(mesh);
+  const Weld weld = weld_positions(mesh.positions);
+  std::vector<Vec3> points;
+  points.reserve(weld.first_of.size());
+  for (const Index first : weld.first_of) points.push_back(mesh.positions[first]);
+
+  // Weld; faces with a repeated corner have no side that counts.
+  std::size_t kept = 0;
+  Box bounds;
+  for (std::size_t i = 0; i < faces.triangles.size(); ++i) {
+    Triangle t = faces.triangles[i];
+    for (Index& corner : t) corner = weld.point_of[corner];
+    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) continue;
+    for (const Index corner : t) {
+      if (bounds.min[0] > bounds.max[0]) bounds = {points[corner], points[corner]};
+      bounds.min = bounds.min.cwiseMin(points[corner]);
+      bounds.max = bounds.max.cwiseMax(points[corner]);
+    }
+    faces.triangles[kept] = t;
+    faces.source[kept] = faces.source[i];
+    ++kept;
+  }
+  const auto repeated_corners = static_cast<Index>(faces.triangles.size() - kept);
+  if (kept == 0) {
+    throw Error(ErrorCode::kInvalidMesh, "every face of the mesh has two equal corners");
+  }
+  faces.triangles.resize(kept);
+  faces.source.resize(kept);
+
+  Surface surface;
+  surface.topology = build_topology(faces.triangles, static_cast<Index>(points.size()));
+  if (!surface.topology.closed()) throw_not_closed(faces, points, surface.topology);
+
+  surface.lattice = lattice_over(bounds);
+  std::vector<LatticePoint> rounded(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    // A point that no face uses may lie anywhere; it is not rounded.
+    const bool used = (points[i].array() >= bounds.min.array()).all() &&
+                      (points[i].array() <= bounds.max.array()).all();
+    if (used) rounded[i] = surface.lattice.quantise(points[i]);
+  }
+  surface.triangles.reserve(kept);
+  for (const Triangle& t : faces.triangles) {
+    surface.triangles.push_back({rounded[t[0]], rounded[t[1]], rounded[t[2]]});
+  }
+  surface.report.flipped = signed_volume(surface.triangles) < 0;
+  if (surface.report.flipped) turn_around(faces, surface.topology, surface.triangles);
+
+  surface.planes.reserve(kept);
+  surface.degenerate.reserve(kept);
+  Index without_area = 0;
+  for (std::size_t i = 0; i < kept; ++i) {
+    const Triangle& t = faces.triangles[i];
+    const auto area = area_vector(surface.triangles[i]);
+    const bool degenerate = area[0] == 0 && area[1] == 0 && area[2] == 0;
+    surface.degenerate.push_back(degenerate ? 1 : 0);
+    without_area += degenerate ? 1 : 0;
+    surface.planes.push_back(
+        plane_of(surface.lattice.to_lattice(points[t[0]]), surface.lattice.to_lattice(points[t[1]]),
+                 surface.lattice.to_lattice(points[t[2]]), surface.triangles[i]));
+  }
+  surface.source_faces = std::move(faces.source);
+  surface.report.vertices = static_cast<Index>(points.size());
+  surface.report.triangles = static_cast<Index>(kept + repeated_corners);
+  surface.report.closed = true;
+  surface.report.boundary_edges = surface.topology.boundary_edges;
+  surface.report.non_manifold_edges = surface.topology.non_manifold_edges;
+  surface.report.degenerate_faces = repeated_corners + without_area;
+  surface.report.components = surface.topology.components;
+  surface.report.lattice_step = surface.lattice.step;
+  return surface;
+}
+
+}  // namespace kdm

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// The input as construction sees it: welded, on the lattice, closed, facing outwards.
+#pragma once
+
+#include <vector>
+
+#include "geometry/lattice.h"
+#include "geometry/plane.h"
+#include "kdmanifold/grid.h"
+#include "kdmanifold/mesh.h"
+#include "mesh/topology.h"
+
+namespace kdm {
+
+/// Triangles by number; all arrays run parallel. Triangles with a repeated corner are gone.
+struct Surface {
+  Lattice lattice;
+  std::vector<LatticeTriangle> triangles;
+  std::vector<Plane> planes;        ///< of the triangles before rounding
+  std::vector<Index> source_faces;  ///< what the input calls the face
+  std::vector<char> degenerate;     ///< no area on the lattice: never hit, but still a neighbour
+  Topology topology;
+  InputReport report;
+};
+
+/// Checks and converts. Throws `kInvalidMesh` (no triangles, index out of range, coordinate not
+/// finite or beyond 1e150, all points equal) and `kNotClosed`.
+Surface prepare_surface(const Mesh& mesh);
+
+}  // namespace kdm

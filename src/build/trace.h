@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// Following the input's surface across a minimal face, from hit to hit.
+#pragma once
+
+#include <span>
+
+#include "build/surface.h"
+#include "geometry/predicates.h"
+
+namespace kdm {
+
+/// A hit on the outline of a minimal face, as the trace needs it.
+struct TraceEnd {
+  Index triangle;
+  int side;  ///< 0 to 3 as splitting edges are numbered
+};
+
+/// Walks from ends[start] through the triangles that cross the lattice plane `value` of `axis`
+/// until one of them is another end's; returns that end's number, or kNone if the walk leaves the
+/// rectangle (given by its corners, on the axes after `axis`) without meeting an end: the surface
+/// there was dropped by the inside rule. On embedded input every walk arrives.
+Index trace_to_end(const Surface& surface, int axis, std::int32_t value,
+                   const std::array<std::int32_t, 2>& lo, const std::array<std::int32_t, 2>& hi,
+                   std::span<const TraceEnd> ends, Index start);
+
+}  // namespace kdm

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// Which triangles reach which cell: one arena of entries, used as a stack (paper 5.1.1 hands
+// clipped polygons down; we hand down numbers and the bounds of the clipped part).
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "geometry/lattice.h"
+#include "geometry/plane.h"
+
+namespace kdm {
+
+/// A triangle's part in a cell: bounds that hold the part, rounded outwards.
+struct ListEntry {
+  Index triangle;
+  LatticeBox bounds;
+};
+
+/// Entries of a cell: [begin, end) of the arena.
+struct ListRange {
+  Index begin = 0;
+  Index end = 0;
+  Index size() const { return end - begin; }
+};
+
+class TriangleLists {
+ public:
+  /// All triangles that are not degenerate.
+  TriangleLists(const std::vector<LatticeTriangle>& triangles, const std::vector<char>& degenerate);
+
+  ListRange all() const { return {0, all_}; }
+  std::span<const ListEntry> entries(ListRange range) const {
+    return {arena_.data() + range.begin, range.size()};
+  }
+
+  const ListEntry& entry(Index i) const { return arena_[i]; }
+
+  /// Appends the lists of both children. Give them back with `release(below)`, after all that came
+  /// later.
+  struct Children {
+    ListRange below;
+    ListRange above;
+  };
+  Children divide(ListRange parent, int axis, std::int32_t value);
+  void release(ListRange below) { arena_.resize(below.begin); }
+
+  /// Numbers of arena entries of the last divided cell that reach both sides of the plane: the
+  /// only ones that can meet the splitting face. Valid until the next `divide`.
+  std::span<const Index> straddlers() const { return straddlers_; }
+
+ private:
+  void divide_straddler(const ListEntry& entry, int axis, std::int32_t value);
+
+  const std::vector<LatticeTriangle>& triangles_;
+  std::vector<ListEntry> arena_;
+  std::vector<ListEntry> above_;
+  std::vector<Index> straddlers_;
+  Index all_ = 0;
+};
+
+}  // namespace kdm

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// Where vertices go (paper 2.2.1).
+#include "extract/place.h"
+
+#include "geometry/quadric.h"
+
+namespace kdm {
+namespace {
+
+Vec3 real(const LatticePoint& p) { return Vec3(p[0], p[1], p[2]); }
+
+}  // namespace
+
+std::vector<Vec3> hit_points(const GridData& grid, const std::vector<LatticeBox>& boxes) {
+  std::vector<Vec3> points(grid.hits.size());
+  for (std::size_t c = 0; c < grid.cells.size(); ++c) {
+    const Cell& cell = grid.cells[c];
+    if (cell.leaf()) continue;
+    const int u = next_axis(cell.axis());
+    const int v = previous_axis(cell.axis());
+    for (int i = 0; i < 4; ++i) {
+      const Index edge = 4 * cell.split() + static_cast<Index>(i);
+      Vec3 point;
+      point[cell.axis()] = cell.value();
+      point[u] = i == 1 ? boxes[c].hi[u] : boxes[c].lo[u];
+      point[v] = i == 2 ? boxes[c].hi[v] : boxes[c].lo[v];
+      for (Index h = grid.edge_begin[edge]; h < grid.edge_begin[edge + 1]; ++h) {
+        point[axis_of_edge(cell.axis(), i)] = real_position(grid.hits[h].position);
+        points[h] = point;
+      }
+    }
+  }
+  return points;
+}
+
+void place_vertices(const GridData& grid, const std::vector<LatticeBox>& boxes,
+                    const std::vector<Vec3>& points, DualMesh& mesh) {
+  mesh.position.reserve(mesh.first.size());
+  for (std::size_t vertex = 0; vertex < mesh.first.size(); ++vertex) {
+    const Index first = mesh.first[vertex];
+    Vec3 sum = Vec3::Zero();
+    int count = 0;
+    Index half_edge = first;
+    do {
+      sum += points[mesh.hit[half_edge / 3]];
+      ++count;
+      half_edge = next_in_triangle(mesh.opposite[half_edge]);
+    } while (half_edge != first);
+    PrimalQuadric quadric(sum / count);
+    do {
+      quadric.add(grid.planes[grid.hits[mesh.hit[half_edge / 3]].plane()]);
+      half_edge = next_in_triangle(mesh.opposite[half_edge]);
+    } while (half_edge != first);
+    const LatticeBox& box = boxes[mesh.leaf[vertex]];
+    mesh.position.push_back(quadric.minimiser_in(real(box.lo), real(box.hi)));
+  }
+}
+
+}  // namespace kdm

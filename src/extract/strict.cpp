@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+// From manifold half-edges to a manifold index mesh.
+#include "extract/strict.h"
+
+#include <algorithm>
+
+#include "geometry/assert.h"
+
+namespace kdm {
+namespace {
+
+class Separation {
+ public:
+  Separation(const std::vector<Vec3>& hit_points, DualMesh& mesh)
+      : hit_points_(hit_points), mesh_(mesh) {}
+
+  Index run() {
+    const auto loops = static_cast<Index>(mesh_.first.size());
+    for (Index v = 0; v < loops; ++v) collect_doubles(v);
+    while (!doubles_.empty()) {
+      const auto [from, to] = doubles_.back();
+      const Index half_edge = second_half_edge(from, to);
+      if (half_edge == kNone) {
+        doubles_.pop_back();
+      } else {
+        insert_vertex(half_edge);
+      }
+    }
+    return static_cast<Index>(mesh_.first.size()) - loops;
+  }
+
+ private:
+  // Vertices that several half-edges of v's ring go to; each edge is looked at from its lower end.
+  void collect_doubles(Index v) {
+    ring_.clear();
+    const Index first = mesh_.first[v];
+    Index half_edge = first;
+    do {
+      const Index to = mesh_.vertex[next_in_triangle(half_edge)];
+      if (to > v) ring_.push_back(to);
+      half_edge = next_in_triangle(mesh_.opposite[half_edge]);
+    } while (half_edge != first);
+    constexpr std::size_t kShort = 12;
+    if (ring_.size() <= kShort) {
+      bool doubled = false;
+      for (std::size_t i = 1; i < ring_.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) doubled |= ring_[i] == ring_[j];
+      }
+      if (!doubled) return;
+    }
+    std::sort(ring_.begin(), ring_.end());
+    for (std::size_t i = 1; i < ring_.size(); ++i) {
+      if (ring_[i] == ring_[i - 1]) doubles_.emplace_back(v, ring_[i]);
+    }
+  }
+
+  // Inserting a vertex moves half-edges about, so doubles are kept as pairs and looked up again.
+  Index second_half_edge(Index from, Index to) const {
+    const Index first = mesh_.first[from];
+    Index half_edge = first;
+    int found = 0;
+    do {
+      if (mesh_.vertex[next_in_triangle(half_edge)] == to && ++found == 2) return half_edge;
+      half_edge = next_in_triangle(mesh_.opposite[half_edge]);
+    } while (half_edge != first);
+    return kNone;
+  }
+
+  // Divides edge a-b between triangles (a, b, c) and (b, a, d):
+  //
+  //        c                 c
+  //      / . \             / | \        .
+  //     a-----b    ->     a--m--b
+  //      \ . /             \ | /
+  //        d                 d
+  void insert_vertex(Index ab) {
+    const Index ba = mesh_.opposite[ab];
+    const Index bc = next_in_triangle(ab);
+    const Index ad = next_in_triangle(ba);
+    const Index a = mesh_.vertex[ab];
+    const Index b = mesh_.vertex[ba];
+    const Index c = mesh_.vertex[previous_in_triangle(ab)];
+    const Index d = mesh_.vertex[previous_in_triangle(ba)];
+    const auto m = static_cast<Index>(mesh_.first.size());
+    mesh_.position.push_back(between(ab / 3, ba / 3, a, b));
+    mesh_.leaf.push_back(kNone);
+
+    const Index mbc = add_triangle(mesh_.hit[ab / 3], m, b, c);
+    const Index mad = add_triangle(mesh_.hit[ba / 3], m, a, d);
+    link(mbc + 1, mesh_.opposite[bc]);
+    link(mad + 1, mesh_.opposite[ad]);
+    link(mbc, ba);
+    link(mad, ab);
+    link(mbc + 2, bc);  // bc becomes m -> c
+    link(mad + 2, ad);
+    mesh_.vertex[bc] = m;
+    mesh_.vertex[ad] = m;
+    mesh_.first.push_back(bc);
+    // Vertices a and b may have been entered by half-edges that start elsewhere now.
+    if (mesh_.first[b] == bc) mesh_.first[b] = mbc + 1;
+    if (mesh_.first[a] == ad) mesh_.first[a] = mad + 1;
+    mesh_.strip[ab / 3] = mesh_.strip[ba / 3] = 0;
+    if (c == d) doubles_.emplace_back(m, c);
+  }
+
+  // The middle of the two hits: it lies in the minimal face between the two leaves, or near it.
+  Vec3 between(Index triangle, Index other, Index a, Index b) const {
+    const Index hit = mesh_.hit[triangle];
+    const Index other_hit = mesh_.hit[other];
+    if (hit == other_hit) return 0.5 * (mesh_.position[a] + mesh_.position[b]);
+    return 0.5 * (hit_points_[hit] + hit_points_[other_hit]);
+  }
+
+  Index add_triangle(Index hit, Index a, Index b, Index c) {
+    const auto first = static_cast<Index>(mesh_.vertex.size());
+    mesh_.vertex.insert(mesh_.vertex.end(), {a, b, c});
+    mesh_.opposite.insert(mesh_.opposite.end(), 3, kNone);
+    mesh_.hit.push_back(hit);
+    mesh_.strip.push_back(0);
+    return first;
+  }
+
+  void link(Index h, Index g) {
+    mesh_.opposite[h] = g;
+    mesh_.opposite[g] = h;
+  }
+
+  const std::vector<Vec3>& hit_points_;
+  DualMesh& mesh_;
+  std::vector<Index> ring_;
+  std::vector<std::pair<Index, Index>> doubles_;  // vertices that may be joined more than once
+};
+
+}  // namespace
+
+Index separate_double_edges(const std::vector<Vec3>& hit_points, DualMesh& mesh) {
+  return Separation(hit_points, mesh).run();
+}
+
+}  // namespace kdm

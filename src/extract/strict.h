@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// From manifold half-edges to a manifold index mesh.
+#pragma once
+
+#include "extract/dual_mesh.h"
+
+namespace kdm {
+
+/// Where several pairs of half-edges join the same two vertices, all but the first get a vertex
+/// of their own, near the hits on both sides, and their two triangles are divided there.
+/// Returns the number of vertices inserted.
+Index separate_double_edges(const std::vector<Vec3>& hit_points, DualMesh& mesh);
+
+}  // namespace kdm

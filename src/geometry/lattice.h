@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// The integer lattice on which every decision is made, and its tie to model coordinates.
+//
+// 20 bits an axis are chosen so that every predicate fits 64-bit integers: the largest value is
+// six times the volume of a tetrahedron in the root cube, at most 2 * (2^20)^3 = 2^61.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include "kdmanifold/types.h"
+
+namespace kdm {
+
+inline constexpr int kLatticeBits = 20;
+/// The root cell is the cube [0, kLatticeSize]^3.
+inline constexpr std::int32_t kLatticeSize = std::int32_t{1} << kLatticeBits;
+/// Input stays this far from the root cell's sides, so that the root's edges are outside.
+inline constexpr std::int32_t kLatticeMargin = kLatticeSize / 256;
+
+using LatticePoint = std::array<std::int32_t, 3>;
+
+/// An axis-aligned box with lattice corners, both ends included.
+struct LatticeBox {
+  LatticePoint lo{0, 0, 0};
+  LatticePoint hi{kLatticeSize, kLatticeSize, kLatticeSize};
+};
+
+/// Corners of an input triangle, rounded to the lattice.
+using LatticeTriangle = std::array<LatticePoint, 3>;
+
+/// The two axes that follow `axis` in cyclic order: (u, v, axis) is right-handed.
+constexpr int next_axis(int axis) { return axis == 2 ? 0 : axis + 1; }
+constexpr int previous_axis(int axis) { return axis == 0 ? 2 : axis - 1; }
+
+/// The map between model coordinates and lattice coordinates: the same step on every axis.
+struct Lattice {
+  Vec3 origin = Vec3::Zero();  ///< model coordinates of lattice point (0, 0, 0)
+  double step = 1;             ///< model units per lattice unit
+
+  /// Unrounded lattice coordinates.
+  Vec3 to_lattice(const Vec3& model) const { return (model - origin) / step; }
+  Vec3 to_model(const Vec3& lattice) const { return origin + lattice * step; }
+  LatticePoint quantise(const Vec3& model) const {
+    const Vec3 real = to_lattice(model);
+    return {static_cast<std::int32_t>(std::floor(real[0] + 0.5)),
+            static_cast<std::int32_t>(std::floor(real[1] + 0.5)),
+            static_cast<std::int32_t>(std::floor(real[2] + 0.5))};
+  }
+};
+
+/// The lattice that puts `bounds` in the middle of the root cell, with the margin on its longest
+/// axis. A box without extent gets a step of one model unit.
+inline Lattice lattice_over(const Box& bounds) {
+  const double extent = (bounds.max - bounds.min).maxCoeff();
+  Lattice lattice;
+  lattice.step = extent > 0 ? extent / (kLatticeSize - 2 * kLatticeMargin) : 1.0;
+  const Vec3 centre = bounds.min + 0.5 * (bounds.max - bounds.min);
+  lattice.origin = centre - Vec3::Constant(lattice.step * (kLatticeSize / 2));
+  return lattice;
+}
+
+}  // namespace kdm

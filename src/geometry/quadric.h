@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// The primal quadric: squared distances to a set of planes, and where they are least
+// (paper 2.2.1; P. Lindstrom, Out-of-core simplification of large polygonal models, 2000).
+#pragma once
+
+#include <Eigen/Core>
+
+#include "geometry/plane.h"
+
+namespace kdm {
+
+/// Eigenvalues in falling order and their unit vectors, as columns.
+struct SymmetricEigen {
+  Vec3 values;
+  Eigen::Matrix3d vectors;
+};
+
+/// Of a symmetric 3x3 matrix, by Jacobi rotations: uses + - * / and square roots only, so the
+/// result is the same on every platform.
+SymmetricEigen symmetric_eigen(const Eigen::Matrix3d& matrix);
+
+/// E(x) = sum of (n_i . x - d_i)^2, kept about a centre near the planes.
+class PrimalQuadric {
+ public:
+  explicit PrimalQuadric(const Vec3& centre) : centre_(centre) {}
+
+  void add(const Plane& plane) {
+    const double offset = plane.offset - plane.normal.dot(centre_);
+    a_.noalias() += plane.normal * plane.normal.transpose();
+    b_ += offset * plane.normal;
+    c_ += offset * offset;
+  }
+
+  double error(const Vec3& x) const {
+    const Vec3 y = x - centre_;
+    return y.dot(a_ * y) - 2 * b_.dot(y) + c_;
+  }
+
+  /// The minimiser nearest to the centre, directions with an eigenvalue below kRankCutoff of the
+  /// largest left alone.
+  Vec3 minimiser() const;
+
+  /// The same within a box that holds the centre. If the free minimiser is outside, the least
+  /// value on the box's faces, edges and corners counts (P. Lindstrom, C. Silva, A memory
+  /// insensitive technique for large model simplification, 2001).
+  Vec3 minimiser_in(const Vec3& lo, const Vec3& hi) const;
+
+  /// Normals that differ by less than about 6 degrees from one plane count as that plane.
+  static constexpr double kRankCutoff = 0.01;
+
+ private:
+  Vec3 boundary_minimiser(const Vec3& lo, const Vec3& hi) const;
+
+  Vec3 centre_;
+  Eigen::Matrix3d a_ = Eigen::Matrix3d::Zero();
+  Vec3 b_ = Vec3::Zero();
+  double c_ = 0;
+};
+
+}  // namespace kdm

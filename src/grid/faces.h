@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+// Visiting every minimal face that carries hits (paper 3.3).
+//
+// The two-dimensional trees of half-faces of paper 3.2 are the projections of the cell tree, so
+// they are not stored: the recursion starts at each splitting face with the two children and goes
+// down on both sides at once. A split along the face's own axis leads to the child that touches
+// it; a split across the rectangle divides it, and the new side is the split's own splitting edge
+// in the face's plane.
+//
+// Strips. If both sides are split at the same value, the one below the plane counts as infinitely
+// little below the other. Between the two lies a strip: a minimal face of no width between
+// diagonal leaves, whose two long sides are the coincident edges. With strips, every hit has
+// exactly three leaves and three minimal faces around it; uniform grids need no special case.
+#pragma once
+
+#include <algorithm>
+
+#include "grid/grid_data.h"
+
+namespace kdm {
+
+/// Which split a side of a minimal face comes from.
+enum class EdgeOwner : std::uint8_t {
+  kFace,   ///< the splitting face's own edge
+  kBelow,  ///< a split on the lower side of the plane
+  kAbove   ///< a split on the upper side
+};
+
+/// One side of a minimal face: a range of hits of one splitting edge.
+struct FaceEdge {
+  Index begin = 0;
+  Index end = 0;
+  std::uint8_t slot = 0;  ///< of the half-edges that cross this face
+  EdgeOwner owner = EdgeOwner::kFace;
+
+  Index size() const { return end - begin; }
+};
+
+struct MinimalFace {
+  Index below = 0;  ///< leaf on the lower side of the plane
+  Index above = 0;
+  int axis = 0;  ///< normal to the face; the others are u = axis + 1 and v = axis + 2
+  std::int32_t plane = 0;
+  /// Extent along u and v, doubled; the last bit tells splits of equal value apart.
+  std::array<std::int32_t, 2> lo_key{};
+  std::array<std::int32_t, 2> hi_key{};
+  /// As splitting edges are numbered: v low, u high, v high, u low.
+  std::array<FaceEdge, 4> edges;
+
+  std::int32_t lo(int i) const { return lo_key[i] >> 1; }
+  std::int32_t hi(int i) const { return hi_key[i] >> 1; }
+  bool strip() const { return lo(0) == hi(0) || lo(1) == hi(1); }
+  Index hit_count() const {
+    return edges[0].size() + edges[1].size() + edges[2].size() + edges[3].size();
+  }
+};
+
+/// Does the half-edge of this slot start in the leaf below the face (or in the one above)?
+constexpr bool starts_below(const FaceEdge& edge, bool reversed) {
+  // !reversed: slot 0 V0->V1, slot 2 V1->VN, slot 1 VN->V0; reversed: the other way.
+  if (edge.owner == EdgeOwner::kFace) return !reversed;
+  const bool starts_in_child = edge.slot == 1 ? reversed : !reversed;
+  return starts_in_child == (edge.owner == EdgeOwner::kBelow);
+}
+
+/// First hit in [begin, end) that lies above lattice plane `value`.
+inline Index first_above(const std::vector<Hit>& hits, Index begin, Index end, std::int32_t value) {
+  constexpr Index kShort = 8;
+  if (end - begin <= kShort) {
+    while (begin < end && floor_of(hits[begin].position) < value) ++begin;
+    return begin;
+  }
+  const auto first =
+      std::partition_point(hits.begin() + begin, hits.begin() + end,
+                           [value](const Hit& hit) { return floor_of(hit.position) < value; });
+  return static_cast<Index>(first - hits.begin());
+}
+
+/// Calls `visit(const MinimalFace&)` for every minimal face with a hit on one of its sides.
+template <typename Visit>
+class FaceWalk {
+ public:
+  FaceWalk(const GridData& grid, Visit& visit) : grid_(grid), visit_(visit) {}
+
+  /// The faces within the splitting face of `cell`, which is not a leaf and has this box.
+  void splitting_face(const Cell& cell, const LatticeBox& box) {
+    MinimalFace face;
+    face.axis = cell.axis();
+    face.plane = cell.value();
+    const int u = next_axis(face.axis);
+    const int v = previous_axis(face.axis);
+    face.lo_key = {2 * box.lo[u], 2 * box.lo[v]};
+    face.hi_key = {2 * box.hi[u], 2 * box.hi[v]};
+    for (Index i = 0; i < 4; ++i) {
+      face.edges[i] = {grid_.edge_begin[4 * cell.split() + i],
+                       grid_.edge_begin[4 * cell.split() + i + 1], 0, EdgeOwner::kFace};
+    }
+    face.below = cell.below();
+    face.above = cell.above();
+    descend(face);
+  }
+
+ private:
+  void descend(MinimalFace face) {
+    const std::vector<Cell>& cells = grid_.cells;
+    for (;;) {
+      const Cell& below = cells[face.below];
+      const Cell& above = cells[face.above];
+      if (face.hit_count() == 0 && !below.active(face.axis, true) &&
+          !above.active(face.axis, false)) {
+        return;
+      }
+      const bool lower = !below.leaf();
+      if (!lower && above.leaf()) {
+        visit_(face);
+        return;
+      }
+      const Cell& cell = lower ? below : above;
+      Index& side = lower ? face.below : face.above;
+      if (cell.axis() == face.axis) {
+        side = lower ? cell.above() : cell.below();
+        continue;
+      }
+      const int i = cell.axis() == next_axis(face.axis) ? 0 : 1;
+      const std::int32_t key = 2 * cell.value() + (lower ? 0 : 1);
+      if (key <= face.lo_key[i]) {
+        side = cell.above();
+      } else if (key >= face.hi_key[i]) {
+        side = cell.below();
+      } else {
+        MinimalFace first = face;
+        divide(cell, lower, i, key, first, face);
+        (lower ? first.below : first.above) = cell.below();
+        side = cell.above();
+        descend(first);
+      }
+    }
+  }
+
+  // Cuts the rectangle across direction i: `first` becomes the part below the split.
+  void divide(const Cell& cell, bool lower, int i, std::int32_t key, MinimalFace& first,
+              MinimalFace& second) const {
+    first.hi_key[i] = key;
+    second.lo_key[i] = key;
+    // Sides 0 and 2 run along u (direction 0), sides 1 and 3 along v.
+    for (int side = i; side < 4; side += 2) {
+      const FaceEdge& whole = second.edges[side];
+      const Index cut = first_above(grid_.hits, whole.begin, whole.end, cell.value());
+      first.edges[side].end = cut;
+      second.edges[side].begin = cut;
+    }
+    const Index edge =
+        4 * cell.split() + static_cast<Index>(edge_on_side(cell.axis(), first.axis, lower));
+    const int other = 1 - i;
+    Index begin = grid_.edge_begin[edge];
+    Index end = grid_.edge_begin[edge + 1];
+    if (begin != end) {
+      begin = first_above(grid_.hits, begin, end, first.lo(other));
+      end = first_above(grid_.hits, begin, end, first.hi(other));
+    }
+    const EdgeOwner owner = lower ? EdgeOwner::kBelow : EdgeOwner::kAbove;
+    // The new side is the high end of `first` (it sees child V0) and the low end of `second`.
+    const int high_side = i == 0 ? 1 : 2;
+    const int low_side = i == 0 ? 3 : 0;
+    first.edges[high_side] = {begin, end, 1, owner};
+    second.edges[low_side] = {begin, end, 2, owner};
+  }
+
+  const GridData& grid_;
+  Visit& visit_;
+};
+
+/// Visits all minimal faces with hits, split by split. `boxes` from `cell_boxes`.
+template <typename Visit>
+void for_each_face(const GridData& grid, const std::vector<LatticeBox>& boxes, Visit&& visit) {
+  FaceWalk<std::remove_reference_t<Visit>> walk(grid, visit);
+  for (std::size_t c = 0; c < grid.cells.size(); ++c) {
+    if (!grid.cells[c].leaf()) walk.splitting_face(grid.cells[c], boxes[c]);
+  }
+}
+
+}  // namespace kdm

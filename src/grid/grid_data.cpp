@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// What follows from the grid's arrays, and the handle that users hold.
+#include "grid/grid_data.h"
+
+namespace kdm {
+namespace {
+
+template <typename T>
+std::size_t bytes_of(const std::vector<T>& v) {
+  return v.size() * sizeof(T);
+}
+
+}  // namespace
+
+std::size_t GridData::bytes() const {
+  return bytes_of(cells) + bytes_of(edge_begin) + bytes_of(hits) + bytes_of(opposite) +
+         bytes_of(start) + bytes_of(planes) + bytes_of(source_faces) + sizeof(GridData);
+}
+
+std::vector<LatticeBox> cell_boxes(const GridData& grid) {
+  std::vector<LatticeBox> boxes(grid.cells.size());
+  // A child's number is greater than its parent's, so parents come first.
+  for (std::size_t c = 0; c < grid.cells.size(); ++c) {
+    const Cell& cell = grid.cells[c];
+    if (cell.leaf()) continue;
+    LatticeBox box = boxes[c];
+    box.hi[cell.axis()] = cell.value();
+    boxes[cell.below()] = box;
+    box = boxes[c];
+    box.lo[cell.axis()] = cell.value();
+    boxes[cell.above()] = box;
+  }
+  return boxes;
+}
+
+Grid::Grid() : data_(std::make_unique<GridData>()) {}
+Grid::Grid(std::unique_ptr<GridData> data) : data_(std::move(data)) {}
+Grid::Grid(const Grid& other) : data_(std::make_unique<GridData>(*other.data_)) {}
+Grid& Grid::operator=(const Grid& other) {
+  if (this != &other) data_ = std::make_unique<GridData>(*other.data_);
+  return *this;
+}
+Grid::Grid(Grid&& other) noexcept : data_(std::move(other.data_)) {}
+Grid& Grid::operator=(Grid&& other) noexcept {
+  data_ = std::move(other.data_);
+  return *this;
+}
+Grid::~Grid() = default;
+
+const GridStats& Grid::stats() const { return data_->stats; }
+const InputReport& Grid::input() const { return data_->input; }
+
+}  // namespace kdm

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+// The kd-tree grid as flat arrays (paper 3.2), and the numbering that everything else refers to.
+//
+// Cells. Split k cuts one cell in two and makes cells 2k+1 (below) and 2k+2 (above); cell 0 is the
+// root. A split along axis w adds a splitting face; with u, v the axes after w (u = w+1, v = w+2
+// cyclically), its four splitting edges are 4k+i, i counting round the face:
+//
+//        v          2                Each grid edge is part of exactly one splitting edge or of the
+//        ^    +-----------+          root, whose edges are never hit. Where two cells are split at
+//        |    |           |          the same value beside each other, two splitting edges
+//        coincide; |  3 |     w     | 1        the split below the common plane then counts as
+//        lying |    |           |          infinitely little below the other (see faces.h). |
+//        +-----------+ |          0                Hits of an edge are consecutive and ascend along
+//        it.
+//        +-------------------> u
+//
+// Half-edges. Around hit h lie three leaves: one in each child of its split, V0 and V1, and one
+// beyond the side plane, VN. The hit is a triangle of these three, and its half-edges cross
+//   slot 0 (3h):   the splitting face, between V0 and V1
+//   slot 1 (3h+1): the face between V0 and VN
+//   slot 2 (3h+2): the face between V1 and VN.
+// The triangle runs V0 V1 VN, or V0 VN V1 if the hit is `reversed`.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "geometry/lattice.h"
+#include "geometry/plane.h"
+#include "geometry/predicates.h"
+#include "kdmanifold/grid.h"
+
+namespace kdm {
+
+/// A node of the kd-tree: 8 bytes.
+class Cell {
+ public:
+  Cell() = default;  // a leaf
+  Cell(Index first_child, int axis, std::int32_t value)
+      : first_child_(first_child),
+        packed_(static_cast<std::uint32_t>(value) | static_cast<std::uint32_t>(axis) << 21) {}
+
+  bool leaf() const { return first_child_ == 0; }
+  Index below() const { return first_child_; }
+  Index above() const { return first_child_ + 1; }
+  Index split() const { return (first_child_ - 1) / 2; }
+  int axis() const { return static_cast<int>(packed_ >> 21 & 3u); }
+  std::int32_t value() const { return static_cast<std::int32_t>(packed_ & 0x1fffffu); }
+
+  /// Does a splitting edge on this side of the cell, made within the cell, carry a hit?
+  bool active(int axis, bool high) const { return (packed_ >> side_bit(axis, high) & 1u) != 0; }
+  void set_active(int axis, bool high) { packed_ |= 1u << side_bit(axis, high); }
+  void clear_active() { packed_ &= ~(63u << 23); }
+
+ private:
+  static constexpr int side_bit(int axis, bool high) { return 23 + 2 * axis + (high ? 1 : 0); }
+  std::uint32_t first_child_ = 0;  // 0: leaf
+  std::uint32_t packed_ = 0;       // 21 bits value, 2 bits axis, 6 bits active sides
+};
+static_assert(sizeof(Cell) == 8);
+
+/// An intersection of the surface with a grid edge: 8 bytes.
+struct Hit {
+  LinePosition position;  ///< along the edge
+  std::uint32_t packed;   ///< 30 bits plane, then the two flags
+
+  Hit() = default;
+  Hit(LinePosition where, Index plane, bool leaving, bool reversed)
+      : position(where), packed(plane | (reversed ? kReversed : 0u) | (leaving ? kLeaving : 0u)) {}
+
+  Index plane() const { return packed & kPlaneMask; }  ///< index into GridData::planes
+  /// Going up along the edge, does the hit lead out of the solid? (Its normal points up.)
+  bool leaving() const { return (packed & kLeaving) != 0; }
+  bool reversed() const { return (packed & kReversed) != 0; }
+
+  static constexpr std::uint32_t kLeaving = 1u << 31;
+  static constexpr std::uint32_t kReversed = 1u << 30;
+  static constexpr std::uint32_t kPlaneMask = kReversed - 1;
+};
+static_assert(sizeof(Hit) == 8);
+
+struct GridData {
+  Lattice lattice;
+  std::vector<Cell> cells;        ///< cell 0 is the root; 2 * splits + 1 of them
+  std::vector<Index> edge_begin;  ///< first hit of each splitting edge, and the number of hits
+  std::vector<Hit> hits;
+  std::vector<Index> opposite;  ///< per half-edge: the half-edge it is linked to
+  /// Per half-edge: the leaf in which it starts, and whether its link crosses a strip.
+  std::vector<std::uint32_t> start;
+  std::vector<Plane> planes;
+  std::vector<Index> source_faces;  ///< per plane: the input face it is of
+  GridStats stats;
+  InputReport input;
+
+  static constexpr std::uint32_t kStrip = 1u << 31;
+  Index start_leaf(Index half_edge) const { return start[half_edge] & ~kStrip; }
+  bool crosses_strip(Index half_edge) const { return (start[half_edge] & kStrip) != 0; }
+  Index splits() const { return static_cast<Index>(cells.size() / 2); }
+  std::size_t bytes() const;
+};
+
+/// Number (0 to 3) of the splitting edge of a split along `axis` that lies on the side plane of
+/// its cell normal to `side_axis`, at the low or the high end.
+constexpr int edge_on_side(int axis, int side_axis, bool high) {
+  return next_axis(axis) == side_axis ? (high ? 1 : 3) : (high ? 2 : 0);
+}
+
+/// Axis along which splitting edge `i` (0 to 3) of a split along `axis` runs.
+constexpr int axis_of_edge(int axis, int i) {
+  return i % 2 == 0 ? next_axis(axis) : previous_axis(axis);
+}
+
+/// Is the triangle of a hit on splitting edge `i` reversed? Its normal must point up the edge iff
+/// the hit is leaving.
+constexpr bool reversed_on_edge(int i, bool leaving) {
+  // Edge 0 runs along u; V0 is at -w, V1 at +w and VN at -v: seen from +u that is
+  // counter-clockwise. A quarter turn about w gives edge 1, along v. Edges 2 and 3 run against the
+  // turn of the face.
+  const bool counter_clockwise = i == 0 || i == 1;
+  return counter_clockwise != leaving;
+}
+
+/// Half-edge that follows within its triangle.
+constexpr Index next_half_edge(Index half_edge, bool reversed) {
+  const Index slot = half_edge % 3;
+  const Index first = half_edge - slot;
+  // V0 V1 VN has slots 0 2 1 in turn; V0 VN V1 has 1 2 0.
+  return reversed ? first + (slot == 2 ? 0 : slot + 1) : first + (slot == 0 ? 2 : slot - 1);
+}
+
+/// Axis-aligned extent of every leaf; other cells' entries are their own boxes as well.
+std::vector<LatticeBox> cell_boxes(const GridData& grid);
+
+}  // namespace kdm

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+// Every invariant of a grid, checked.
+#include "grid/validate.h"
+
+#include <fmt/format.h>
+
+#include "grid/faces.h"
+#include "kdmanifold/error.h"
+
+namespace kdm {
+namespace {
+
+void require(bool condition, const char* rule, std::size_t where) {
+  if (!condition) {
+    throw Error(ErrorCode::kInternal, fmt::format("grid: {} (at {})", rule, where));
+  }
+}
+
+void validate_cells(const GridData& grid, const std::vector<LatticeBox>& boxes) {
+  require(grid.cells.size() % 2 == 1, "there is a root and two cells a split", grid.cells.size());
+  std::vector<char> is_child(grid.cells.size(), 0);
+  for (std::size_t c = 0; c < grid.cells.size(); ++c) {
+    const Cell& cell = grid.cells[c];
+    if (cell.leaf()) continue;
+    require(cell.below() > c && cell.above() < grid.cells.size(), "children follow their cell", c);
+    require(cell.below() % 2 == 1, "children are adjacent, the lower one odd", c);
+    require(cell.axis() < 3, "a split has an axis", c);
+    require(cell.value() > boxes[c].lo[cell.axis()] && cell.value() < boxes[c].hi[cell.axis()],
+            "a split lies strictly inside its cell", c);
+    for (const Index child : {cell.below(), cell.above()}) {
+      require(is_child[child] == 0, "a cell has one parent", child);
+      is_child[child] = 1;
+    }
+  }
+  for (std::size_t c = 1; c < is_child.size(); ++c) require(is_child[c] != 0, "no cell is lost", c);
+}
+
+// Hits ascend, lie on their edge, alternate, and carry the right flags.
+void validate_edges(const GridData& grid, const std::vector<LatticeBox>& boxes) {
+  require(grid.edge_begin.size() == 4 * std::size_t{grid.splits()} + 1 && grid.edge_begin[0] == 0 &&
+              grid.edge_begin.back() == grid.hits.size(),
+          "splitting edges cover all hits", grid.edge_begin.size());
+  for (std::size_t c = 0; c < grid.cells.size(); ++c) {
+    const Cell& cell = grid.cells[c];
+    if (cell.leaf()) continue;
+    for (int i = 0; i < 4; ++i) {
+      const Index edge = 4 * cell.split() + static_cast<Index>(i);
+      require(grid.edge_begin[edge] <= grid.edge_begin[edge + 1], "edges' hits are in order", edge);
+      const int axis = axis_of_edge(cell.axis(), i);
+      for (Index h = grid.edge_begin[edge]; h < grid.edge_begin[edge + 1]; ++h) {
+        const Hit& hit = grid.hits[h];
+        require(floor_of(hit.position) >= boxes[c].lo[axis] &&
+                    floor_of(hit.position) < boxes[c].hi[axis],
+                "a hit lies on its edge", h);
+        require(hit.reversed() == reversed_on_edge(i, hit.leaving()), "a hit is turned rightly", h);
+        require(hit.plane() < grid.planes.size(), "a hit has a plane", h);
+        if (h == grid.edge_begin[edge]) continue;
+        require(grid.hits[h - 1].position < hit.position, "hits ascend along an edge", h);
+        require(grid.hits[h - 1].leaving() != hit.leaving(), "hits alternate along an edge", h);
+      }
+    }
+  }
+}
+
+// Links join half-edges of one minimal face that run against each other, without crossings.
+class FaceValidation {
+ public:
+  explicit FaceValidation(const GridData& grid) : grid_(grid), seen_(3 * grid.hits.size(), 0) {}
+
+  void operator()(const MinimalFace& face) {
+    require(grid_.cells[face.below].leaf() && grid_.cells[face.above].leaf(),
+            "a minimal face lies between leaves", face.below);
+    outline_.clear();
+    for (int side = 0; side < 4; ++side) {
+      const FaceEdge& edge = face.edges[side];
+      for (Index i = 0; i < edge.size(); ++i) {
+        const Index hit = side < 2 ? edge.begin + i : edge.end - 1 - i;
+        const Index half_edge = 3 * hit + edge.slot;
+        require(seen_[half_edge]++ == 0, "a half-edge crosses one minimal face", half_edge);
+        outline_.push_back(half_edge);
+        const Index leaf = starts_below(edge, grid_.hits[hit].reversed()) ? face.below : face.above;
+        require(grid_.start_leaf(half_edge) == leaf, "a half-edge starts in its leaf", half_edge);
+        require(grid_.crosses_strip(half_edge) == face.strip(), "strips are marked", half_edge);
+      }
+    }
+    validate_links();
+  }
+
+  void finish() const {
+    for (std::size_t h = 0; h < seen_.size(); ++h) {
+      require(seen_[h] == 1, "every half-edge crosses a minimal face", h);
+    }
+  }
+
+ private:
+  // Links nest like brackets.
+  void validate_links() {
+    open_.clear();
+    for (const Index half_edge : outline_) {
+      const Index other = grid_.opposite[half_edge];
+      require(other < seen_.size() && grid_.opposite[other] == half_edge, "links are mutual",
+              half_edge);
+      require(grid_.start_leaf(half_edge) != grid_.start_leaf(other),
+              "linked half-edges run against each other", half_edge);
+      if (!open_.empty() && open_.back() == half_edge) {
+        open_.pop_back();
+      } else {
+        open_.push_back(other);
+      }
+    }
+    require(open_.empty(), "links of a face join its own hits and do not cross",
+            outline_.empty() ? 0 : outline_[0]);
+  }
+
+  const GridData& grid_;
+  std::vector<char> seen_;
+  std::vector<Index> outline_;
+  std::vector<Index> open_;
+};
+
+}  // namespace
+
+void validate(const GridData& grid) {
+  const std::vector<LatticeBox> boxes = cell_boxes(grid);
+  validate_cells(grid, boxes);
+  validate_edges(grid, boxes);
+  require(grid.opposite.size() == 3 * grid.hits.size() && grid.start.size() == grid.opposite.size(),
+          "a hit has three half-edges", grid.opposite.size());
+  require(grid.source_faces.size() == grid.planes.size(), "a plane has a source face",
+          grid.planes.size());
+  FaceValidation faces(grid);
+  for_each_face(grid, boxes, faces);
+  faces.finish();
+}
+
+}  // namespace kdm
