@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+// The native command line: read, build, extract, write, report. Exit status 0: done; 1: --check
+// found the output not 2-manifold; 2: bad input or option, one line on standard error.
+#include <sys/resource.h>
+
+#include <chrono>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
+
+#include "cli/options.h"
+#include "cli/report.h"
+
+namespace kdm::cli {
+namespace {
+
+constexpr int kNotManifold = 1;
+constexpr int kBadInput = 2;
+
+class Stopwatch {
+ public:
+  /// Seconds since the last call, or since the start.
+  double lap() {
+    const Clock::time_point now = Clock::now();
+    const std::chrono::duration<double> seconds = now - last_;
+    last_ = now;
+    return seconds.count();
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point last_ = Clock::now();
+};
+
+std::uint64_t peak_bytes() {
+  rusage usage{};
+  if (getrusage(RUSAGE_SELF, &usage) != 0) return 0;
+#ifdef __APPLE__
+  return static_cast<std::uint64_t>(usage.ru_maxrss);  // bytes there, kilobytes elsewhere
+#else
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+#endif
+}
+
+void print(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stdout); }
+
+int run(const Command& command) {
+  // Known in advance, so said before the work rather than after it.
+  if (!command.output.empty()) format_from_path(command.output);
+
+  RunReport report;
+  Stopwatch watch;
+  const Mesh mesh = read_mesh(command.input);
+  report.seconds.read = watch.lap();
+  const Grid grid = build_grid(mesh, command.build);
+  report.seconds.build = watch.lap();
+  const ExtractedMesh result = extract(grid, command.extract);
+  report.seconds.extract = watch.lap();
+  if (!command.output.empty()) {
+    write_mesh(command.output, result);
+    report.seconds.write = watch.lap();
+  }
+  report.input = grid.input();
+  report.grid = grid.stats();
+  report.output = describe(result);
+  report.extracted = result.report;
+  report.peak_bytes = peak_bytes();
+  print(command.json ? report_as_json(report, command) : report_as_text(report, command));
+  return command.check && !report.output.two_manifold ? kNotManifold : 0;
+}
+
+// Messages may quote file names, and those may hold anything.
+int complain(std::string message) {
+  for (char& c : message) {
+    if (static_cast<unsigned char>(c) < ' ') c = ' ';
+  }
+  std::fprintf(stderr, "kdmanifold: %s\n", message.c_str());
+  return kBadInput;
+}
+
+int run_safely(int argc, const char* const* argv) {
+  try {
+    const Command command = parse_command(argc, argv);
+    if (!command.answer.empty()) {
+      print(command.answer);
+      return 0;
+    }
+    try {
+      return run(command);
+    } catch (const Error& error) {
+      // Errors of reading and writing name the file already.
+      const std::string message = error.what();
+      const bool named = message.find(command.input) == 0 || error.code() == ErrorCode::kIoError;
+      return complain(named ? message : command.input + ": " + message);
+    }
+  } catch (const UsageError& error) {
+    return complain(error.what());
+  } catch (const std::bad_alloc&) {
+    return complain("not enough memory");
+  } catch (const std::exception& error) {
+    return complain(error.what());
+  }
+}
+
+}  // namespace
+}  // namespace kdm::cli
+
+int main(int argc, char** argv) { return kdm::cli::run_safely(argc, argv); }

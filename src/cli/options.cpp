@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+// The table of options and its reading by CLI11.
+#include "cli/options.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <iterator>
+#include <vector>
+
+namespace kdm::cli {
+namespace {
+
+template <typename Value>
+struct Word {
+  const char* word;
+  Value value;
+};
+
+constexpr Word<SplitStrategy> kStrategies[] = {{"octree", SplitStrategy::kOctree},
+                                               {"median", SplitStrategy::kMedian},
+                                               {"uniform", SplitStrategy::kUniform}};
+constexpr Word<InsideRule> kInsideRules[] = {{"positive", InsideRule::kPositive},
+                                             {"odd", InsideRule::kOdd},
+                                             {"nonzero", InsideRule::kNonzero}};
+constexpr Word<Pairing> kPairings[] = {{"trace", Pairing::kTrace},
+                                       {"hermite", Pairing::kHermite},
+                                       {"inside", Pairing::kInside},
+                                       {"outside", Pairing::kOutside}};
+
+template <typename Value, std::size_t kCount>
+const char* find_word(const Word<Value> (&words)[kCount], Value value) {
+  for (const Word<Value>& word : words) {
+    if (word.value == value) return word.word;
+  }
+  return "?";
+}
+
+template <typename Value, std::size_t kCount>
+std::string joined(const Word<Value> (&words)[kCount], const char* separator) {
+  std::string text;
+  for (const Word<Value>& word : words)
+    text += (text.empty() ? "" : separator) + std::string(word.word);
+  return text;
+}
+
+// An option with a value: its setter returns what is wrong with the value, or "".
+struct ValueOption {
+  const char* name;
+  std::string value;  // as help shows it
+  std::string help;
+  std::function<std::string(const std::string&)> set;
+};
+
+struct Flag {
+  const char* name;
+  std::string help;
+  std::function<void()> set;
+};
+
+template <typename Value, std::size_t kCount>
+ValueOption choice(const char* name, const Word<Value> (&words)[kCount], Value& target,
+                   const char* help) {
+  return {name, joined(words, "|"), fmt::format("{} ({})", help, find_word(words, target)),
+          [name, &words, &target](const std::string& text) -> std::string {
+            for (const Word<Value>& word : words) {
+              if (word.word != text) continue;
+              target = word.value;
+              return "";
+            }
+            return fmt::format("{}: '{}' is none of {}", name, text, joined(words, ", "));
+          }};
+}
+
+ValueOption whole_number(const char* name, int low, int high, int& target, const char* help) {
+  return {name, "N", fmt::format("{}, {} to {} ({})", help, low, high, target),
+          [=, &target](const std::string& text) -> std::string {
+            int number = 0;
+            const bool digits = !text.empty() && text.size() < 9 &&
+                                text.find_first_not_of("0123456789") == std::string::npos;
+            if (digits) number = std::stoi(text);
+            if (!digits || number < low || number > high) {
+              return fmt::format("{}: '{}' is no whole number from {} to {}", name, text, low,
+                                 high);
+            }
+            target = number;
+            return "";
+          }};
+}
+
+std::vector<ValueOption> value_options(Command& command) {
+  return {
+      choice("--strategy", kStrategies, command.build.strategy, "how cells are split"),
+      whole_number("--depth", 1, 60, command.build.depth, "limit of the tree's depth"),
+      choice("--inside", kInsideRules, command.build.inside, "which winding numbers are inside"),
+      choice("--pairing", kPairings, command.build.pairing,
+             "how hits are linked where a face has more than two"),
+  };
+}
+
+std::vector<Flag> flags(Command& command) {
+  return {
+      {"--quads", "write quads where four leaves meet", [&] { command.extract.quads = true; }},
+      {"--no-strict", "keep double edges and parts without volume",
+       [&] { command.extract.strict = false; }},
+      {"--json", "print one JSON report on standard output, nothing else",
+       [&] { command.json = true; }},
+      {"--check", "verify the output; exit status 1 if it is not 2-manifold",
+       [&] { command.check = true; }},
+  };
+}
+
+// CLI11 wraps messages of its own around those of validators; only ours is wanted, on one line.
+std::string one_line(std::string text) {
+  for (char& c : text) {
+    if (c == '\n' || c == '\r') c = ' ';
+  }
+  return text;
+}
+
+}  // namespace
+
+const char* word_of(SplitStrategy strategy) { return find_word(kStrategies, strategy); }
+const char* word_of(InsideRule rule) { return find_word(kInsideRules, rule); }
+const char* word_of(Pairing pairing) { return find_word(kPairings, pairing); }
+
+Command parse_command(int argc, const char* const* argv) {
+  Command command;
+  CLI::App app(
+      "Makes a closed, oriented 2-manifold mesh of a closed mesh.\n"
+      "Formats by extension: OBJ, STL, PLY, OFF.\n",
+      "kdmanifold");
+  app.add_option("INPUT", command.input, "the mesh to convert")->required()->type_name("");
+  app.add_option("-o,--output", command.output, "where the result goes")->type_name("FILE");
+  std::string fault;
+  // Both lists must live until the arguments have been read.
+  const std::vector<ValueOption> values = value_options(command);
+  for (const ValueOption& option : values) {
+    app.add_option_function<std::string>(
+           option.name,
+           [&](const std::string& text) {
+             if (fault.empty()) fault = option.set(text);
+           },
+           option.help)
+        ->type_name(option.value);
+  }
+  for (const Flag& flag : flags(command)) app.add_flag_callback(flag.name, flag.set, flag.help);
+  app.set_version_flag("--version", "kdmanifold " KDM_VERSION, "print the version");
+  app.footer(
+      "Exit status: 0 done, 1 --check found the output not 2-manifold, 2 bad input or option.");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    command.answer = app.help();
+    return command;
+  } catch (const CLI::CallForVersion& version) {
+    command.answer = std::string(version.what()) + "\n";
+    return command;
+  } catch (const CLI::ParseError& error) {
+    throw UsageError(one_line(error.what()) + " (--help lists the options)");
+  }
+  if (!fault.empty()) throw UsageError(fault);
+  return command;
+}
+
+}  // namespace kdm::cli

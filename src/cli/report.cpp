@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+// Writes the report. Keys are the C++ names in camel case; web/src/types.ts has the same.
+#include "cli/report.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+namespace kdm::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json input_json(const InputReport& input) {
+  return {{"vertices", input.vertices},
+          {"triangles", input.triangles},
+          {"closed", input.closed},
+          {"boundaryEdges", input.boundary_edges},
+          {"nonManifoldEdges", input.non_manifold_edges},
+          {"degenerateFaces", input.degenerate_faces},
+          {"components", input.components},
+          {"flipped", input.flipped},
+          {"latticeStep", input.lattice_step}};
+}
+
+Json grid_json(const GridStats& grid) {
+  return {{"cells", grid.cells},
+          {"leaves", grid.leaves},
+          {"hits", grid.hits},
+          {"depth", grid.depth},
+          {"bytes", grid.bytes},
+          {"ambiguousFaces", grid.ambiguous_faces},
+          {"guessedFaces", grid.guessed_faces}};
+}
+
+Json output_json(const MeshReport& output, const ExtractReport& extracted) {
+  return {{"vertices", output.vertices},
+          {"triangles", output.triangles},
+          {"quads", output.quads},
+          {"components", output.components},
+          {"eulerCharacteristic", output.euler_characteristic},
+          {"twoManifold", output.two_manifold},
+          {"closed", output.closed},
+          {"volume", output.volume},
+          {"area", output.area},
+          {"droppedPillows", extracted.dropped_pillows},
+          {"insertedVertices", extracted.inserted_vertices}};
+}
+
+// What --check looked for.
+Json check_json(const MeshReport& output) {
+  return {{"twoManifold", output.two_manifold},
+          {"closed", output.closed},
+          {"boundaryEdges", output.boundary_edges},
+          {"nonManifoldEdges", output.non_manifold_edges},
+          {"misorientedEdges", output.misoriented_edges},
+          {"nonManifoldVertices", output.non_manifold_vertices},
+          {"degenerateFaces", output.degenerate_faces},
+          {"duplicateFaces", output.duplicate_faces}};
+}
+
+std::string faces_text(std::uint64_t triangles, std::uint64_t quads) {
+  return quads == 0 ? fmt::format("{} triangles", triangles)
+                    : fmt::format("{} triangles and {} quads", triangles, quads);
+}
+
+std::string check_text(const MeshReport& output) {
+  if (output.two_manifold) return "check    passed: 2-manifold\n";
+  return fmt::format(
+      "check    FAILED: {} boundary, {} non-manifold, {} misoriented edges, {} non-manifold "
+      "vertices, {} degenerate, {} duplicate faces\n",
+      output.boundary_edges, output.non_manifold_edges, output.misoriented_edges,
+      output.non_manifold_vertices, output.degenerate_faces, output.duplicate_faces);
+}
+
+}  // namespace
+
+std::string report_as_json(const RunReport& report, const Command& command) {
+  Json json = {{"input", input_json(report.input)},
+               {"grid", grid_json(report.grid)},
+               {"output", output_json(report.output, report.extracted)}};
+  if (command.check) json["check"] = check_json(report.output);
+  json["seconds"] = {{"read", report.seconds.read},
+                     {"build", report.seconds.build},
+                     {"extract", report.seconds.extract}};
+  if (!command.output.empty()) json["seconds"]["write"] = report.seconds.write;
+  json["peakBytes"] = report.peak_bytes;
+  return json.dump(2) + "\n";
+}
+
+std::string report_as_text(const RunReport& report, const Command& command) {
+  const InputReport& input = report.input;
+  const GridStats& grid = report.grid;
+  const MeshReport& output = report.output;
+  std::string text =
+      fmt::format("input    {}: {} vertices, {} triangles, {} parts{}{}\n", command.input,
+                  input.vertices, input.triangles, input.components,
+                  input.degenerate_faces == 0
+                      ? ""
+                      : fmt::format(", {} faces without area left out", input.degenerate_faces),
+                  input.flipped ? ", turned inside out" : "");
+  text += fmt::format("grid     {}, depth {}: {} cells, {} hits, {:.1f} MB\n",
+                      word_of(command.build.strategy), grid.depth, grid.cells, grid.hits,
+                      static_cast<double>(grid.bytes) / 1e6);
+  text += fmt::format("output   {}{}{} vertices, {}, {} parts, Euler characteristic {}, {}\n",
+                      command.output, command.output.empty() ? "" : ": ", output.vertices,
+                      faces_text(output.triangles, output.quads), output.components,
+                      output.euler_characteristic,
+                      output.two_manifold ? "closed 2-manifold" : "not 2-manifold");
+  if (command.check) text += check_text(output);
+  text += fmt::format("seconds  read {:.3f}, build {:.3f}, extract {:.3f}, write {:.3f}\n",
+                      report.seconds.read, report.seconds.build, report.seconds.extract,
+                      report.seconds.write);
+  return text;
+}
+
+}  // namespace kdm::cli

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// The account of one run: as JSON, with the keys that the Node command line uses too, or as text.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "cli/options.h"
+#include "kdmanifold/kdmanifold.h"
+
+namespace kdm::cli {
+
+struct Seconds {
+  double read = 0, build = 0, extract = 0, write = 0;
+};
+
+struct RunReport {
+  InputReport input;
+  GridStats grid;
+  MeshReport output;
+  ExtractReport extracted;
+  Seconds seconds;
+  std::uint64_t peak_bytes = 0;  ///< most memory the process held; 0: unknown
+};
+
+/// `input`, `grid`, `output`, with --check also `check`, then `seconds` and `peakBytes`; indented,
+/// with a line end.
+std::string report_as_json(const RunReport& report, const Command& command);
+/// A few lines for people.
+std::string report_as_text(const RunReport& report, const Command& command);
+
+}  // namespace kdm::cli
