@@ -111,7 +111,7 @@ Mesh torus_chain(int links) {
   for (int i = 0; i < links; ++i) {
     Mesh link = torus(1, 0.25, 40, 16);
     if (i % 2 == 1) link = rotated(std::move(link), Vec3::UnitX(), kPi / 2);
-    append(chain, translated(std::move(link), Vec3(1.2 * i, 0, 0)));
+    append(chain, translated(std::move(link), Vec3(1.4 * i, 0, 0)));
   }
   return chain;
 }

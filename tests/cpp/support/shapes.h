@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <optional>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -86,6 +87,9 @@ struct NamedShape {
   std::optional<int> euler;         ///< of that surface
   bool embedded = true;             ///< the mesh is the boundary: nothing overlaps or touches
 };
+
+/// How GoogleTest names a shape in its messages.
+inline void PrintTo(const NamedShape& shape, std::ostream* stream) { *stream << shape.name; }
 
 /// Every shape above at a size that a test can afford (under about 6,000 triangles each).
 std::vector<NamedShape> all_shapes();

@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: MIT
+// The whole path on every test shape: properties that must hold at any depth, and figures that
+// must be right once the grid is fine enough.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "grid/validate.h"
+#include "kdmanifold/kdmanifold.h"
+#include "support/mesh_assert.h"
+#include "support/random_meshes.h"
+#include "support/shapes.h"
+#include "support/solid_check.h"
+
+namespace kdm {
+namespace {
+
+using shapes::NamedShape;
+
+std::string text_of(const BuildOptions& options) {
+  std::ostringstream text;
+  text << "strategy " << static_cast<int>(options.strategy) << " depth " << options.depth
+       << " inside " << static_cast<int>(options.inside) << " pairing "
+       << static_cast<int>(options.pairing);
+  return text.str();
+}
+
+std::vector<BuildOptions> option_sets() {
+  std::vector<BuildOptions> sets;
+  for (const SplitStrategy strategy :
+       {SplitStrategy::kUniform, SplitStrategy::kOctree, SplitStrategy::kMedian}) {
+    for (const int depth : {1, 2, 5, 9, 12}) {
+      sets.push_back({.strategy = strategy, .depth = depth});
+    }
+    for (const Pairing pairing : {Pairing::kHermite, Pairing::kInside, Pairing::kOutside}) {
+      sets.push_back({.strategy = strategy, .depth = 10, .pairing = pairing});
+    }
+    for (const InsideRule inside : {InsideRule::kOdd, InsideRule::kNonzero}) {
+      sets.push_back({.strategy = strategy, .depth = 10, .inside = inside});
+    }
+  }
+  sets.push_back({.strategy = SplitStrategy::kMedian, .depth = 60});
+  return sets;
+}
+
+Index highest(const std::vector<Index>& numbers) {
+  return numbers.empty() ? 0 : *std::max_element(numbers.begin(), numbers.end());
+}
+
+bool same(const Mesh& a, const Mesh& b) {
+  return a.positions == b.positions && a.triangles == b.triangles && a.quads == b.quads &&
+         a.source_faces == b.source_faces;
+}
+
+class Model : public testing::TestWithParam<NamedShape> {};
+
+INSTANTIATE_TEST_SUITE_P(Shapes, Model, testing::ValuesIn(shapes::all_shapes()),
+                         [](const auto& shape) { return shape.param.name; });
+
+TEST_P(Model, IsTwoManifoldWhateverTheOptions) {
+  const Mesh& input = GetParam().mesh;
+  for (const BuildOptions& options : option_sets()) {
+    SCOPED_TRACE(text_of(options));
+    const Grid grid = build_grid(input, options);
+    ASSERT_NO_THROW(validate(grid.data()));
+    EXPECT_LE(grid.stats().depth, options.depth);
+    for (const bool quads : {false, true}) {
+      const ExtractedMesh out = extract(grid, {.quads = quads});
+      ASSERT_EQ(out.source_faces.size(), out.triangles.size() + out.quads.size());
+      ASSERT_LT(highest(out.source_faces), input.triangles.size());
+      // So coarse a grid that the surface meets no edge of it gives no surface.
+      if (out.triangles.empty() && out.quads.empty()) {
+        EXPECT_EQ(out.report.dropped_pillows > 0, grid.stats().hits > 0);
+        continue;
+      }
+      ASSERT_TRUE(check::is_two_manifold(out)) << "quads " << quads;
+      // Vertices may overshoot the model on coarse grids, but never leave the root cell.
+      for (const Vec3& p : out.positions) {
+        const Vec3 lattice = grid.data().lattice.to_lattice(p);
+        ASSERT_GE(lattice.minCoeff(), -1e-6);
+        ASSERT_LE(lattice.maxCoeff(), kLatticeSize + 1e-6);
+      }
+    }
+  }
+}
+
+TEST_P(Model, RawSurfaceIsClosedAndOriented) {
+  const Grid grid = build_grid(GetParam().mesh, {.depth = 10});
+  const check::MeshCheck raw = check::check_mesh(extract(grid, {.strict = false}));
+  EXPECT_TRUE(raw.oriented) << raw.faults();
+  EXPECT_EQ(raw.boundary_edges, 0);
+}
+
+TEST_P(Model, ComesOutTheSameTwice) {
+  for (const SplitStrategy strategy : {SplitStrategy::kOctree, SplitStrategy::kMedian}) {
+    const BuildOptions options{.strategy = strategy, .depth = 12};
+    const Mesh first = extract(build_grid(GetParam().mesh, options));
+    // Copies and a second extraction change nothing either.
+    const Grid grid = build_grid(GetParam().mesh, options);
+    const Grid copy = grid;
+    EXPECT_TRUE(same(first, extract(grid)));
+    EXPECT_TRUE(same(first, extract(copy)));
+    EXPECT_TRUE(same(first, extract(grid)));
+  }
+}
+
+TEST_P(Model, HasTheRightVolumeAndTopologyOnceFineEnough) {
+  const NamedShape& shape = GetParam();
+  const ExtractedMesh out = extract(build_grid(shape.mesh, {.depth = 18}));
+  const check::MeshCheck result = check::check_mesh(out);
+  ASSERT_TRUE(result.two_manifold) << result.faults();
+  if (shape.volume) {
+    EXPECT_NEAR(result.volume, *shape.volume, 0.01 * *shape.volume);
+  }
+  if (shape.components) {
+    EXPECT_EQ(result.components, static_cast<int>(*shape.components));
+  }
+  if (shape.euler) {
+    EXPECT_EQ(result.euler_characteristic, *shape.euler);
+  }
+}
+
+TEST_P(Model, BoundsTheSolidThatTheInputDescribes) {
+  const Mesh& input = GetParam().mesh;
+  const Grid grid = build_grid(input, {.strategy = SplitStrategy::kUniform, .depth = 15});
+  const ExtractedMesh out = extract(grid);
+  // Vertices stay in leaves that meet the surface; two leaves' diagonals cover a triangle.
+  const double leaf = grid.input().lattice_step * static_cast<double>(1 << 20) / (1 << 5);
+  const int sign = grid.input().flipped ? -1 : 1;
+  EXPECT_EQ(check::compare_solids(
+                input, out, [&](int w) { return sign * w > 0; }, 2 * std::sqrt(3.0) * leaf, 100),
+            "");
+}
+
+// --- Particular promises ------------------------------------------------------------------------
+
+double volume_of(const Mesh& mesh, const BuildOptions& options) {
+  return check::check_mesh(extract(build_grid(mesh, options))).volume;
+}
+
+TEST(Models, ACubeComesOutExactly) {
+  for (const Mesh& cube : {shapes::cube(), shapes::translated(shapes::cube(), Vec3(3, -7, 0.1)),
+                           shapes::subdivided(shapes::cube()), shapes::soup(shapes::cube())}) {
+    EXPECT_NEAR(volume_of(cube, {.strategy = SplitStrategy::kOctree, .depth = 9}), 1, 1e-5);
+    EXPECT_NEAR(volume_of(cube, {.strategy = SplitStrategy::kUniform, .depth = 9}), 1, 1e-5);
+    EXPECT_NEAR(volume_of(cube, {.strategy = SplitStrategy::kMedian}), 1, 1e-5);
+  }
+}
+
+TEST(Models, OverlapsAndNestedShellsCountOnce) {
+  EXPECT_NEAR(volume_of(shapes::overlapping_cubes(), {.depth = 15}), 1.875, 1e-4);
+  EXPECT_NEAR(volume_of(shapes::doubled_cube(), {.depth = 15}), 1, 1e-4);
+  EXPECT_NEAR(volume_of(shapes::face_to_face_cubes(), {.depth = 15}), 2, 1e-4);
+  const double ball = shapes::signed_volume(shapes::icosphere(3));
+  const double core = shapes::signed_volume(shapes::icosphere(3, 0.7));
+  EXPECT_NEAR(volume_of(shapes::nested_shells(), {.depth = 15}), ball, 0.01 * ball);
+  EXPECT_NEAR(volume_of(shapes::nested_spheres(), {.depth = 15}), ball - core, 0.01 * ball);
+}
+
+TEST(Models, InsideRulesDifferWhereShellsOverlap) {
+  const BuildOptions odd{.depth = 15, .inside = InsideRule::kOdd};
+  const BuildOptions nonzero{.depth = 15, .inside = InsideRule::kNonzero};
+  EXPECT_NEAR(volume_of(shapes::overlapping_cubes(), odd), 1.75, 0.01);
+  EXPECT_NEAR(volume_of(shapes::overlapping_cubes(), nonzero), 1.875, 1e-4);
+  const double ball = shapes::signed_volume(shapes::icosphere(3));
+  const double core = shapes::signed_volume(shapes::icosphere(3, 0.7));
+  EXPECT_NEAR(volume_of(shapes::nested_shells(), odd), ball - core, 0.01 * ball);
+  EXPECT_NEAR(volume_of(shapes::nested_shells(), nonzero), ball, 0.01 * ball);
+}
+
+TEST(Models, InsideRulesHoldOnCrossingSoups) {
+  const auto rule = [](InsideRule inside, int winding) {
+    if (inside == InsideRule::kPositive) return winding > 0;
+    return inside == InsideRule::kOdd ? winding % 2 != 0 : winding != 0;
+  };
+  int compared = 0;
+  for (const InsideRule inside : {InsideRule::kPositive, InsideRule::kOdd, InsideRule::kNonzero}) {
+    for (std::uint32_t seed = 0; seed < 6; ++seed) {
+      const Mesh input = shapes::integer_tetrahedra(8, 4, seed);
+      const Grid grid =
+          build_grid(input, {.strategy = SplitStrategy::kUniform, .depth = 15, .inside = inside});
+      ASSERT_NO_THROW(validate(grid.data()));
+      const ExtractedMesh out = extract(grid);
+      ASSERT_TRUE(check::is_two_manifold(out)) << "seed " << seed;
+      const double leaf = grid.input().lattice_step * static_cast<double>(1 << 20) / (1 << 5);
+      const int sign = grid.input().flipped ? -1 : 1;
+      EXPECT_EQ(
+          check::compare_solids(
+              input, out, [&](int w) { return rule(inside, sign * w); }, 3 * leaf, 100, &compared),
+          "")
+          << "rule " << static_cast<int>(inside) << " seed " << seed;
+    }
+  }
+  EXPECT_GT(compared, 200);
+}
+
+TEST(Models, RandomClosedMeshesAreTwoManifold) {
+  for (std::uint32_t seed = 0; seed < 60; ++seed) {
+    const std::vector<Mesh> inputs = {
+        shapes::random_tetrahedra(6, seed), shapes::integer_tetrahedra(8, 3, seed),
+        shapes::random_voxels(3, 0.4, seed), shapes::collapsed_polyhedron(2, seed)};
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+      for (const SplitStrategy strategy :
+           {SplitStrategy::kUniform, SplitStrategy::kOctree, SplitStrategy::kMedian}) {
+        const Grid grid = build_grid(inputs[i], {.strategy = strategy, .depth = 9});
+        ASSERT_NO_THROW(validate(grid.data())) << "seed " << seed << " kind " << i;
+        const ExtractedMesh out = extract(grid);
+        if (out.triangles.empty()) continue;
+        ASSERT_TRUE(check::is_two_manifold(out))
+            << "seed " << seed << " kind " << i << " strategy " << static_cast<int>(strategy);
+      }
+    }
+  }
+}
+
+TEST(Models, InsideOutInputIsTurned) {
+  for (const Mesh& mesh : {shapes::cube(), shapes::torus(), shapes::nested_spheres()}) {
+    const Grid straight = build_grid(mesh, {.depth = 12});
+    const Grid turned = build_grid(shapes::inverted(mesh), {.depth = 12});
+    EXPECT_FALSE(straight.input().flipped);
+    EXPECT_TRUE(turned.input().flipped);
+    const double volume = check::check_mesh(extract(turned)).volume;
+    EXPECT_GT(volume, 0);
+    EXPECT_NEAR(volume, check::check_mesh(extract(straight)).volume, 1e-9 * volume);
+  }
+}
+
+TEST(Models, TriangleSoupsAreWelded) {
+  const Mesh mesh = shapes::torus();
+  const Grid grid = build_grid(shapes::soup(mesh), {.depth = 12});
+  EXPECT_EQ(grid.input().vertices, mesh.positions.size());
+  EXPECT_TRUE(grid.input().closed);
+  const ExtractedMesh welded = extract(grid);
+  const ExtractedMesh indexed = extract(build_grid(mesh, {.depth = 12}));
+  EXPECT_EQ(welded.triangles, indexed.triangles);
+  EXPECT_EQ(welded.positions, indexed.positions);
+}
+
+TEST(Models, OpenInputIsRefusedWithItsFirstEdge) {
+  // Without its last face {1, 7, 5} the cube has three open edges.
+  try {
+    build_grid(shapes::open(shapes::cube()));
+    FAIL() << "open input was accepted";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kNotClosed);
+    const std::string text = error.what();
+    EXPECT_NE(text.find('3'), std::string::npos) << text;
+    EXPECT_TRUE(text.find("1 ") != std::string::npos || text.find("(1") != std::string::npos ||
+                text.find(" 1") != std::string::npos)
+        << text;
+  }
+  // One face turned round: closed, but inconsistently oriented.
+  Mesh mixed = shapes::cube();
+  std::swap(mixed.triangles[5][0], mixed.triangles[5][1]);
+  try {
+    build_grid(mixed);
+    FAIL() << "inconsistently oriented input was accepted";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kNotClosed);
+  }
+}
+
+TEST(Models, QuadsCoverAUniformGrid) {
+  // The faces' planes cut no edge twice, so every hit's triangle pairs up.
+  for (const Mesh& mesh :
+       {shapes::icosphere(3), shapes::rotated(shapes::cube(), Vec3(1, 2, 3), 1)}) {
+    const Grid grid = build_grid(mesh, {.strategy = SplitStrategy::kUniform, .depth = 12});
+    const ExtractedMesh out = extract(grid, {.quads = true, .strict = false});
+    EXPECT_TRUE(out.triangles.empty());
+    EXPECT_EQ(2 * out.quads.size(), grid.stats().hits);
+    EXPECT_EQ(check::check_mesh(out).boundary_edges, 0);
+  }
+}
+
+TEST(Models, SourceFacesLieUnderTheResult) {
+  // Each side of the cube was cut into faces of one number; a result face on that side names it.
+  Mesh cube = shapes::cube();
+  for (Index t = 0; t < 12; ++t) cube.source_faces.push_back(100 + t / 2);
+  const ExtractedMesh out = extract(build_grid(cube, {.depth = 12}));
+  const std::array<std::pair<int, double>, 6> sides = {
+      {{2, 0.0}, {2, 1.0}, {1, 0.0}, {1, 1.0}, {0, 0.0}, {0, 1.0}}};
+  for (std::size_t t = 0; t < out.triangles.size(); ++t) {
+    ASSERT_GE(out.source_faces[t], 100u);
+    ASSERT_LT(out.source_faces[t], 106u);
+    const auto [axis, value] = sides[out.source_faces[t] - 100];
+    for (const Index v : out.triangles[t]) {
+      EXPECT_NEAR(out.positions[v][axis], value, 1e-4) << "face " << t;
+    }
+  }
+}
+
+TEST(Models, PositionAndSizeDoNotMatter) {
+  const Mesh torus = shapes::torus(1, 0.3, 24, 12);
+  const ExtractedMesh plain = extract(build_grid(torus, {.depth = 12}));
+  // Powers of two change no rounding, so the very same faces must come out.
+  for (const double factor : {0x1p-40, 0x1p30, 0x1p300}) {
+    const Mesh other = shapes::scaled(torus, Vec3::Constant(factor));
+    EXPECT_EQ(extract(build_grid(other, {.depth = 12})).triangles, plain.triangles) << factor;
+  }
+  const Mesh far = shapes::translated(torus, Vec3(1e6, -1e6, 1e6));
+  const check::MeshCheck result = check::check_mesh(extract(build_grid(far, {.depth = 12})));
+  EXPECT_TRUE(result.two_manifold) << result.faults();
+  EXPECT_EQ(result.euler_characteristic, 0);
+}
+
+}  // namespace
+}  // namespace kdm
