@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "targets.h"
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+
+#include "grid/validate.h"
+#include "kdmanifold/kdmanifold.h"
+#include "support/mesh_check.h"
+#include "support/random_meshes.h"
+
+namespace kdm::fuzz {
+namespace {
+
+// Not assert(): release builds must stop as well.
+void demand(bool condition, const std::string& rule) {
+  if (condition) return;
+  std::fprintf(stderr, "broken rule: %s\n", rule.c_str());
+  std::abort();
+}
+
+void demand_sound(const Mesh& mesh) {
+  demand(mesh.source_faces.size() == mesh.triangles.size() + mesh.quads.size(),
+         "a source face for each face");
+  for (const Triangle& t : mesh.triangles) {
+    for (const Index v : t) demand(v < mesh.positions.size(), "corners name vertices");
+  }
+}
+
+}  // namespace
+
+void parse_bytes(const std::uint8_t* bytes, std::size_t size) {
+  if (size == 0) return;
+  const auto format = static_cast<MeshFormat>(bytes[0] % 4);
+  Mesh mesh;
+  try {
+    mesh = parse_mesh(std::string_view(reinterpret_cast<const char*>(bytes + 1), size - 1), format);
+  } catch (const Error& error) {
+    demand(error.code() == ErrorCode::kParseError,
+           std::string("bad files give PARSE_ERROR, not: ") + error.what());
+    return;
+  }
+  demand_sound(mesh);
+  for (int other = 0; other < 4; ++other) {
+    const auto target = static_cast<MeshFormat>(other);
+    try {
+      const std::string written = format_mesh(mesh, target);
+      const Mesh again = parse_mesh(written, target);
+      demand_sound(again);
+      demand(again.triangles.size() == mesh.triangles.size(), "as many faces read as written");
+    } catch (const Error& error) {
+      // Coordinates beyond 32-bit floats cannot be written in every format; nothing else may fail.
+      bool large = false;
+      for (const Vec3& p : mesh.positions) {
+        large = large || !(p.cwiseAbs().maxCoeff() < 3e38);
+      }
+      demand(large, std::string("what was read can be written and read again: ") + error.what());
+    }
+  }
+}
+
+void build_from_bytes(const std::uint8_t* bytes, std::size_t size) {
+  constexpr std::size_t kMaxSize = 4 + 12 * 64;
+  if (size < 4 || size > kMaxSize) return;
+  BuildOptions options;
+  options.strategy = static_cast<SplitStrategy>(bytes[0] % 3);
+  options.inside = static_cast<InsideRule>(bytes[0] / 3 % 3);
+  options.pairing = static_cast<Pairing>(bytes[0] / 9 % 4);
+  options.depth = 1 + bytes[1] % (options.strategy == SplitStrategy::kMedian ? 60 : 12);
+  const ExtractOptions extraction{.quads = (bytes[2] & 1) != 0};
+  const Mesh input = shapes::mesh_from_bytes(bytes + 4, size - 4);
+  Grid grid;
+  try {
+    grid = build_grid(input, options);
+  } catch (const Error& error) {
+    // Tetrahedra may cancel or shrink to nothing; open they never are.
+    demand(error.code() == ErrorCode::kInvalidMesh && check::check_mesh(input).volume == 0,
+           error.what());
+    return;
+  }
+  validate(grid.data());
+  const ExtractedMesh out = extract(grid, extraction);
+  if (out.triangles.empty() && out.quads.empty()) return;
+  const check::MeshCheck result = check::check_mesh(out);
+  demand(result.two_manifold, "the surface is 2-manifold, but: " + result.faults());
+  demand(std::isfinite(result.volume), "the volume is finite");
+  const ExtractedMesh again = extract(build_grid(input, options), extraction);
+  demand(again.positions == out.positions && again.triangles == out.triangles &&
+             again.quads == out.quads,
+         "the same comes out twice");
+}
+
+}  // namespace kdm::fuzz
