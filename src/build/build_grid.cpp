@@ -2,6 +2,7 @@
 // Mesh -> grid: prepare, construct, link.
 #include <fmt/format.h>
 
+#include <cmath>
 #include <new>
 
 #include "build/construct.h"
@@ -16,10 +17,32 @@ namespace {
 constexpr int kMaxDepth = 3 * kLatticeBits;
 
 void check_options(const BuildOptions& options) {
-  if (options.depth < 1 || options.depth > kMaxDepth) {
+  if (options.depth < 0 || options.depth > kMaxDepth) {
     throw Error(ErrorCode::kInvalidOption,
-                fmt::format("depth is {}; it must be from 1 to {}", options.depth, kMaxDepth));
+                fmt::format("depth is {}; it must be from 1 to {}, or 0 for the strategy's own",
+                            options.depth, kMaxDepth));
   }
+  const auto check = [](const char* name, double value) {
+    if (!(value >= 0 && std::isfinite(value))) {
+      throw Error(ErrorCode::kInvalidOption,
+                  fmt::format("{} is {}; it must be a number that is not negative", name, value));
+    }
+  };
+  check("tolerance", options.tolerance);
+  check("relative_tolerance", options.relative_tolerance);
+}
+
+int depth_limit(const BuildOptions& options) {
+  constexpr int kUniformDepth = 18;
+  if (options.depth != 0) return options.depth;
+  return options.strategy == SplitStrategy::kUniform ? kUniformDepth : kMaxDepth;
+}
+
+// In lattice units.
+double tolerance_of(const BuildOptions& options, const Surface& surface) {
+  const double absolute =
+      options.tolerance > 0 ? options.tolerance : options.relative_tolerance * surface.diagonal;
+  return absolute / surface.lattice.step;
 }
 
 void report(const Progress& progress, double fraction, std::string_view phase) {
@@ -41,7 +64,8 @@ Grid build_grid(const Mesh& mesh, const BuildOptions& options, const Progress& p
   const Progress within = [&](double fraction, std::string_view phase) {
     return progress(0.1 + 0.7 * fraction, phase);
   };
-  construct_cells(surface, options, progress ? within : Progress(), *grid);
+  construct_cells(surface, options, tolerance_of(options, surface), depth_limit(options),
+                  progress ? within : Progress(), *grid);
   report(progress, 0.8, "link");
   grid->planes = std::move(surface.planes);
   grid->source_faces = std::move(surface.source_faces);
@@ -49,6 +73,7 @@ Grid build_grid(const Mesh& mesh, const BuildOptions& options, const Progress& p
   grid->stats.cells = static_cast<Index>(grid->cells.size());
   grid->stats.leaves = static_cast<Index>(grid->cells.size() - grid->cells.size() / 2);
   grid->stats.hits = static_cast<Index>(grid->hits.size());
+  grid->stats.topology_resolved = grid->stats.topology_resolved && grid->stats.guessed_faces == 0;
   grid->stats.bytes = grid->bytes();
   report(progress, 1.0, "link");
   return Grid(std::move(grid));

@@ -19,19 +19,12 @@ namespace {
 
 constexpr std::uint32_t kProgressInterval = 4096;  // cells between two calls
 
-/// Crossings of a cell's edge, by number.
-struct EdgeRange {
-  Index begin = 0;
-  Index end = 0;
-};
-
-/// What a cell hands down. Edge e + axis * 4 runs along `axis`; bit 0 of e: high end of the next
-/// axis, bit 1: high end of the previous axis. Corner bits: x, y, z.
+/// What a cell hands down. Corners are numbered by bits: 1 for x, 2 for y, 4 for z at the high end.
 struct CellFrame {
   Index cell = 0;
   int depth = 0;
   LatticeBox box;
-  std::array<EdgeRange, 12> edges;
+  CellEdges edges;
   std::array<int, 8> winding{};
   ListRange triangles;
   RuleRange rule;
@@ -39,20 +32,16 @@ struct CellFrame {
   double done_after = 1;
 };
 
-constexpr int edge_number(int axis, bool high_next, bool high_previous) {
-  return 4 * axis + (high_next ? 1 : 0) + (high_previous ? 2 : 0);
-}
-
 class Construction {
  public:
-  Construction(const Surface& surface, const BuildOptions& options, const Progress& progress,
-               GridData& grid)
+  Construction(const Surface& surface, const BuildOptions& options, double tolerance, int depth,
+               const Progress& progress, GridData& grid)
       : surface_(surface),
         inside_(options.inside),
         progress_(progress),
         grid_(grid),
-        rule_(make_split_rule(surface, options)),
-        lists_(surface.triangles, surface.degenerate) {}
+        rule_(make_split_rule(surface, options, tolerance, depth)),
+        lists_(surface.triangles) {}
 
   void run() {
     grid_.cells.assign(1, Cell());
@@ -66,6 +55,7 @@ class Construction {
     root.triangles = lists_.all();
     root.rule = rule_->root();
     split_cell(root);
+    rule_->report(grid_.stats);
     drop_internal_crossings();
     grid_.cells.shrink_to_fit();
     grid_.edge_begin.shrink_to_fit();
@@ -79,7 +69,8 @@ class Construction {
     grid_.stats.depth = std::max(grid_.stats.depth, frame.depth);
     if (frame.triangles.size() == 0) return;
     const std::optional<Split> split =
-        rule_->choose(frame.box, frame.depth, lists_.entries(frame.triangles), frame.rule);
+        rule_->choose({frame.box, frame.depth, lists_.entries(frame.triangles), frame.rule,
+                       frame.edges, grid_.hits, kept_});
     if (!split) return;
     KDM_ASSERT(split->value > frame.box.lo[split->axis] && split->value < frame.box.hi[split->axis],
                "a split lies strictly inside its cell");
@@ -165,7 +156,7 @@ class Construction {
         grid_.hits.push_back(Hit(c.crossing.position, c.crossing.triangle, c.leaving,
                                  reversed_on_edge(i, c.leaving)));
         winding_after_.push_back(c.winding_after);
-        kept_.push_back(c.kept);
+        kept_.push_back(c.kept ? 1 : 0);
         dropped_ += c.kept ? 0 : 1;
         rule_->on_crossing(c.crossing.triangle);
       }
@@ -176,11 +167,11 @@ class Construction {
       const int axis = axis_of_edge(w, i);
       const bool high = i == 1 || i == 2;
       if (axis == u) {
-        below.edges[edge_number(u, high, true)] = range;
-        above.edges[edge_number(u, high, false)] = range;
+        below.edges[cell_edge(u, high, true)] = range;
+        above.edges[cell_edge(u, high, false)] = range;
       } else {
-        below.edges[edge_number(v, true, high)] = range;
-        above.edges[edge_number(v, false, high)] = range;
+        below.edges[cell_edge(v, true, high)] = range;
+        above.edges[cell_edge(v, false, high)] = range;
       }
     }
   }
@@ -203,7 +194,7 @@ class Construction {
     Index i = 0;
     for (std::size_t edge = 1; edge < grid_.edge_begin.size(); ++edge) {
       for (; i < grid_.edge_begin[edge]; ++i) {
-        if (kept_[i]) grid_.hits[kept++] = grid_.hits[i];
+        if (kept_[i] != 0) grid_.hits[kept++] = grid_.hits[i];
       }
       grid_.edge_begin[edge] = kept;
     }
@@ -248,7 +239,7 @@ class Construction {
   std::unique_ptr<SplitRule> rule_;
   TriangleLists lists_;
   std::vector<int> winding_after_;  // per crossing; hits_ holds all crossings until the end
-  std::vector<bool> kept_;
+  std::vector<char> kept_;
   Index dropped_ = 0;
   std::array<std::vector<Crossing>, 4> crossings_;
   std::vector<WalkedCrossing> walked_;
@@ -257,9 +248,9 @@ class Construction {
 
 }  // namespace
 
-void construct_cells(const Surface& surface, const BuildOptions& options, const Progress& progress,
-                     GridData& grid) {
-  Construction(surface, options, progress, grid).run();
+void construct_cells(const Surface& surface, const BuildOptions& options, double tolerance,
+                     int depth, const Progress& progress, GridData& grid) {
+  Construction(surface, options, tolerance, depth, progress, grid).run();
 }
 
 }  // namespace kdm

@@ -1,68 +1,21 @@
 // SPDX-License-Identifier: MIT
-// The split rules: midpoints to a fixed depth, midpoints until plane, medians (paper 5.1.2 (1)).
+// The split rules that look at depth or triangle counts only: uniform, median (paper 5.1.2 (1)).
 #include "build/split_rules.h"
 
 #include <algorithm>
-#include <numeric>
-
-#include "geometry/predicates.h"
 
 namespace kdm {
 namespace {
-
-// The middle of the box along the axis whose turn it is; nothing once that is one unit wide.
-std::optional<Split> midpoint(const LatticeBox& box, int depth) {
-  const int axis = depth % 3;
-  const std::int32_t value = box.lo[axis] + (box.hi[axis] - box.lo[axis]) / 2;
-  if (value == box.lo[axis]) return std::nullopt;
-  return Split{axis, value};
-}
 
 class UniformRule : public SplitRule {
  public:
   explicit UniformRule(int depth) : depth_(depth) {}
 
-  std::optional<Split> choose(const LatticeBox& box, int depth, std::span<const ListEntry>,
-                              RuleRange) override {
-    return depth < depth_ ? midpoint(box, depth) : std::nullopt;
+  std::optional<Split> choose(const CellView& cell) override {
+    return cell.depth < depth_ ? midpoint_in_turn(cell.box, cell.depth) : std::nullopt;
   }
 
  private:
-  int depth_;
-};
-
-/// A cell in which all triangles lie in one plane and face one way holds one plane section, which
-/// its edges' hits describe without loss; any other cell is split down to the depth limit.
-class OctreeRule : public SplitRule {
- public:
-  OctreeRule(const Surface& surface, int depth) : surface_(surface), depth_(depth) {}
-
-  std::optional<Split> choose(const LatticeBox& box, int depth, std::span<const ListEntry> entries,
-                              RuleRange) override {
-    if (depth >= depth_ || one_plane(entries)) return std::nullopt;
-    return midpoint(box, depth);
-  }
-
- private:
-  bool one_plane(std::span<const ListEntry> entries) const {
-    const LatticeTriangle& first = surface_.triangles[entries[0].triangle];
-    const auto normal = area_vector(first);
-    for (const ListEntry& entry : entries.subspan(1)) {
-      const LatticeTriangle& t = surface_.triangles[entry.triangle];
-      for (const LatticePoint& corner : t) {
-        std::int64_t volume = 0;
-        for (int i = 0; i < 3; ++i) volume += normal[i] * (corner[i] - first[0][i]);
-        if (volume != 0) return false;
-      }
-      const auto other = area_vector(t);
-      for (int i = 0; i < 3; ++i) {
-        if ((normal[i] > 0) != (other[i] > 0) || (normal[i] < 0) != (other[i] < 0)) return false;
-      }
-    }
-    return true;
-  }
-
-  const Surface& surface_;
   int depth_;
 };
 
@@ -84,11 +37,11 @@ class MedianRule : public SplitRule {
 
   RuleRange root() override { return {0, static_cast<Index>(order_.size())}; }
 
-  std::optional<Split> choose(const LatticeBox& box, int depth, std::span<const ListEntry>,
-                              RuleRange range) override {
-    if (depth >= depth_) return std::nullopt;
-    const auto begin = order_.begin() + range.begin;
-    const auto end = order_.begin() + range.end;
+  std::optional<Split> choose(const CellView& cell) override {
+    if (cell.depth >= depth_) return std::nullopt;
+    const LatticeBox& box = cell.box;
+    const auto begin = order_.begin() + cell.range.begin;
+    const auto end = order_.begin() + cell.range.end;
     if (std::all_of(begin, end, [&](Index t) { return met_[t] != 0; })) return std::nullopt;
     // Axes in order of the spread of the centres, then of the box.
     LatticeBox spread{centres_[*begin], centres_[*begin]};
@@ -136,14 +89,24 @@ class MedianRule : public SplitRule {
 
 }  // namespace
 
-std::unique_ptr<SplitRule> make_split_rule(const Surface& surface, const BuildOptions& options) {
+std::optional<Split> midpoint_in_turn(const LatticeBox& box, int depth) {
+  const int axis = depth % 3;
+  const std::int32_t value = box.lo[axis] + (box.hi[axis] - box.lo[axis]) / 2;
+  if (value == box.lo[axis]) return std::nullopt;
+  return Split{axis, value};
+}
+
+std::unique_ptr<SplitRule> make_split_rule(const Surface& surface, const BuildOptions& options,
+                                           double tolerance, int depth) {
   switch (options.strategy) {
     case SplitStrategy::kUniform:
-      return std::make_unique<UniformRule>(options.depth);
-    case SplitStrategy::kOctree:
-      return std::make_unique<OctreeRule>(surface, options.depth);
+      return std::make_unique<UniformRule>(depth);
     case SplitStrategy::kMedian:
-      return std::make_unique<MedianRule>(surface, options.depth);
+      return std::make_unique<MedianRule>(surface, depth);
+    case SplitStrategy::kOctree:
+      return make_adaptive_rule(surface, tolerance, depth, true);
+    case SplitStrategy::kAdaptive:
+      return make_adaptive_rule(surface, tolerance, depth, false);
   }
   return nullptr;
 }

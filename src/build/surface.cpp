@@ -10,6 +10,7 @@
 
 #include "geometry/predicates.h"
 #include "kdmanifold/error.h"
+#include "mesh/cancel.h"
 #include "mesh/weld.h"
 
 namespace kdm {
@@ -92,6 +93,28 @@ Faces collect_faces(const Mesh& mesh) {
                           b[0], b[1], b[2], faces.source[side / 3]));
 }
 
+// Takes out pairs of faces that lie back to back: they bound nothing, and without them more of the
+// surface is embedded. Returns their number.
+Index cancel_opposite_faces(Faces& faces, std::size_t points) {
+  const std::vector<char> cancelled =
+      find_opposite_pairs(faces.triangles, static_cast<Index>(points));
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < faces.triangles.size(); ++i) {
+    if (cancelled[i] != 0) continue;
+    faces.triangles[kept] = faces.triangles[i];
+    faces.source[kept] = faces.source[i];
+    ++kept;
+  }
+  if (kept == 0) {
+    throw Error(ErrorCode::kInvalidMesh,
+                "the faces of the mesh cancel: each lies back to back with another");
+  }
+  const auto result = static_cast<Index>(faces.triangles.size() - kept);
+  faces.triangles.resize(kept);
+  faces.source.resize(kept);
+  return result;
+}
+
 // Six times the enclosed volume, about the middle of the root cell.
 double signed_volume(const std::vector<LatticeTriangle>& triangles) {
   constexpr double kMiddle = kLatticeSize / 2.0;
@@ -169,8 +192,17 @@ Surface prepare_surface(const Mesh& mesh) {
   Surface surface;
   surface.topology = build_topology(faces.triangles, static_cast<Index>(points.size()));
   if (!surface.topology.closed()) throw_not_closed(faces, points, surface.topology);
+  surface.report.boundary_edges = surface.topology.boundary_edges;
+  surface.report.non_manifold_edges = surface.topology.non_manifold_edges;
+  surface.report.components = surface.topology.components;
+  surface.report.cancelled_faces = cancel_opposite_faces(faces, points.size());
+  if (surface.report.cancelled_faces > 0) {
+    kept = faces.triangles.size();
+    surface.topology = build_topology(faces.triangles, static_cast<Index>(points.size()));
+  }
 
   surface.lattice = lattice_over(bounds);
+  surface.diagonal = (bounds.max - bounds.min).norm();
   std::vector<LatticePoint> rounded(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     // A point that no face uses may lie anywhere; it is not rounded.
@@ -198,14 +230,12 @@ Surface prepare_surface(const Mesh& mesh) {
         plane_of(surface.lattice.to_lattice(points[t[0]]), surface.lattice.to_lattice(points[t[1]]),
                  surface.lattice.to_lattice(points[t[2]]), surface.triangles[i]));
   }
+  surface.corners = std::move(faces.triangles);
   surface.source_faces = std::move(faces.source);
   surface.report.vertices = static_cast<Index>(points.size());
-  surface.report.triangles = static_cast<Index>(kept + repeated_corners);
+  surface.report.triangles = static_cast<Index>(kept) + repeated_corners + surface.report.cancelled_faces;
   surface.report.closed = true;
-  surface.report.boundary_edges = surface.topology.boundary_edges;
-  surface.report.non_manifold_edges = surface.topology.non_manifold_edges;
   surface.report.degenerate_faces = repeated_corners + without_area;
-  surface.report.components = surface.topology.components;
   surface.report.lattice_step = surface.lattice.step;
   return surface;
 }

@@ -15,7 +15,9 @@ namespace kdm {
 /// Triangles by number; all arrays run parallel. Triangles with a repeated corner are gone.
 struct Surface {
   Lattice lattice;
+  double diagonal = 0;  ///< of the bounding box, model units
   std::vector<LatticeTriangle> triangles;
+  std::vector<Triangle> corners;    ///< numbers of the corners' points
   std::vector<Plane> planes;        ///< of the triangles before rounding
   std::vector<Index> source_faces;  ///< what the input calls the face
   std::vector<char> degenerate;     ///< no area on the lattice: never hit, but still a neighbour

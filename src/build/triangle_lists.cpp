@@ -55,12 +55,10 @@ bool plane_meets(const std::array<double, 3>& normal, const LatticePoint& point,
 
 }  // namespace
 
-TriangleLists::TriangleLists(const std::vector<LatticeTriangle>& triangles,
-                             const std::vector<char>& degenerate)
+TriangleLists::TriangleLists(const std::vector<LatticeTriangle>& triangles)
     : triangles_(triangles) {
   arena_.reserve(3 * triangles.size());
   for (std::size_t i = 0; i < triangles.size(); ++i) {
-    if (degenerate[i] != 0) continue;
     const LatticeTriangle& t = triangles[i];
     ListEntry entry{static_cast<Index>(i), {t[0], t[0]}};
     for (int k = 0; k < 3; ++k) {

@@ -26,8 +26,8 @@ struct ListRange {
 
 class TriangleLists {
  public:
-  /// All triangles that are not degenerate.
-  TriangleLists(const std::vector<LatticeTriangle>& triangles, const std::vector<char>& degenerate);
+  /// Starts with all triangles; those without area too, since they join their neighbours.
+  explicit TriangleLists(const std::vector<LatticeTriangle>& triangles);
 
   ListRange all() const { return {0, all_}; }
   std::span<const ListEntry> entries(ListRange range) const {

@@ -8,11 +8,13 @@
 
 namespace kdm {
 
-/// How cells are split. All end at `BuildOptions::depth` at the latest.
+/// How cells are split.
 enum class SplitStrategy {
-  kUniform,  ///< midpoints, x, y, z in turn, to the full depth wherever a closed cell meets the surface
-  kOctree,   ///< the same, but a cell whose surface is one plane section is left whole
-  kMedian    ///< paper 5.1.2 (1): median of triangle centres until every triangle is hit by a grid edge
+  kAdaptive,  ///< until the surface is met within the tolerance and its topology is resolved
+  kOctree,    ///< the same, but at midpoints, x, y, z in turn
+  kMedian,    ///< paper 5.1.2 (1): median of triangle centres until every triangle is hit by a grid
+              ///< edge
+  kUniform    ///< midpoints in turn, to the full depth wherever a closed cell meets the surface
 };
 
 /// Which winding numbers are inside.
@@ -31,8 +33,16 @@ enum class Pairing {
 };
 
 struct BuildOptions {
-  SplitStrategy strategy = SplitStrategy::kOctree;
-  int depth = 21;  ///< limit of the kd-tree's depth, 1 to 60; three levels halve a cell in each axis
+  SplitStrategy strategy = SplitStrategy::kAdaptive;
+  /// Adaptive, octree: how far the result may be from the input, in model units. Not negative;
+  /// 0 takes `relative_tolerance` instead.
+  double tolerance = 0;
+  /// The same as a fraction of the diagonal of the input's bounding box. Not negative; 0 splits
+  /// whatever is not plane down to the depth limit.
+  double relative_tolerance = 0.001;
+  /// Limit of the kd-tree's depth, 1 to 60; three levels halve a cell in each axis. 0 stands for
+  /// 60, a safety net (18, 64 cells an axis, for uniform).
+  int depth = 0;
   InsideRule inside = InsideRule::kPositive;
   Pairing pairing = Pairing::kTrace;
 };

@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: MIT
+// Splitting until the surface is met within a distance and its topology is resolved: the rule that
+// goes beyond paper 5.1.2.
+//
+// Geometry. A leaf gives each piece of the surface in it one vertex, at the minimum of its hits'
+// planes. The piece is met if every corner of its triangles, cut to the cell, lies within the
+// tolerance of one of those planes, the vertex within it of all of them, and the vertex within it
+// of the piece.
+// Topology. Every piece is a disk that reaches the cell's edges, and no face of the cell holds a
+// closed curve (cell_analysis.h). Where no leaf fails, an embedded input comes out homeomorphic.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "build/cell_analysis.h"
+#include "build/split_rules.h"
+#include "geometry/quadric.h"
+#include "geometry/triangle_box.h"
+
+namespace kdm {
+namespace {
+
+// Rounding moves the surface by less than a lattice unit; nothing finer can be asked for.
+constexpr double kFinestTolerance = 2.0;
+// Topology is not pursued in cells smaller than this fraction of the tolerance: where the input is
+// not embedded it never resolves.
+constexpr double kFloor = 1.0 / 8;
+// Above this many triangles a cell is split on the first sign of misfit, without a full analysis.
+constexpr std::size_t kMany = 64;
+
+// A hit to be, with its plane.
+struct PlannedHit {
+  Vec3 point;
+  const Plane* plane;
+  Index piece;
+};
+
+class AdaptiveRule : public SplitRule {
+ public:
+  AdaptiveRule(const Surface& surface, double tolerance, int depth, bool octree)
+      : surface_(surface),
+        analysis_(surface),
+        tolerance_(std::max(tolerance, kFinestTolerance)),
+        floor_(std::max(kFloor * tolerance, 1.0)),
+        depth_(depth),
+        octree_(octree) {}
+
+  std::optional<Split> choose(const CellView& cell) override {
+    collect_crossings(cell);
+    // Whatever lies in a cell smaller than the tolerance is met.
+    const bool small = diagonal(cell.box) <= tolerance_;
+    if (!small && cell.entries.size() > kMany && (hits_.empty() || !quick_fit(cell))) {
+      return halve(cell);
+    }
+    analysis_.find_pieces(cell.box, cell.entries, crossings_);
+    if (analysis_.members().empty()) return std::nullopt;
+    assign_pieces();
+    if (!small && !pieces_fit(cell.box)) return halve(cell);
+    return resolve_topology(cell);
+  }
+
+  void report(GridStats& stats) const override {
+    stats.unresolved_leaves = unresolved_;
+    stats.topology_resolved = unresolved_ == 0;
+  }
+
+ private:
+  // Leaf because it must be one.
+  std::optional<Split> give_up() {
+    ++unresolved_;
+    return std::nullopt;
+  }
+
+  std::optional<Split> halve(const CellView& cell) {
+    if (cell.depth >= depth_) return give_up();
+    if (octree_) {
+      const std::optional<Split> split = midpoint_in_turn(cell.box, cell.depth);
+      return split ? split : give_up();
+    }
+    const int axis = longest_axis(cell.box);
+    return split_at(cell, axis, cell.box.lo[axis] + (cell.box.hi[axis] - cell.box.lo[axis]) / 2);
+  }
+
+  std::optional<Split> split_at(const CellView& cell, int axis, std::int32_t value) {
+    if (cell.depth >= depth_) return give_up();
+    if (octree_) return halve(cell);
+    const LatticeBox& box = cell.box;
+    if (box.hi[axis] - box.lo[axis] < 2) {
+      axis = longest_axis(box);
+      if (box.hi[axis] - box.lo[axis] < 2) return give_up();
+    }
+    return Split{axis, std::clamp(value, box.lo[axis] + 1, box.hi[axis] - 1)};
+  }
+
+  static double diagonal(const LatticeBox& box) {
+    double sum = 0;
+    for (int i = 0; i < 3; ++i) {
+      const double extent = box.hi[i] - box.lo[i];
+      sum += extent * extent;
+    }
+    return std::sqrt(sum);
+  }
+
+  static int longest_axis(const LatticeBox& box) {
+    int axis = 0;
+    for (int i = 1; i < 3; ++i) {
+      if (box.hi[i] - box.lo[i] > box.hi[axis] - box.lo[axis]) axis = i;
+    }
+    return axis;
+  }
+
+  void collect_crossings(const CellView& cell) {
+    crossings_.all.clear();
+    crossings_.round_face = {};
+    hits_.clear();
+    for (int axis = 0; axis < 3; ++axis) {
+      const int u = next_axis(axis);
+      const int v = previous_axis(axis);
+      for (int bits = 0; bits < 4; ++bits) {
+        const bool high_u = (bits & 1) != 0;
+        const bool high_v = (bits & 2) != 0;
+        const EdgeRange edge = cell.edges[cell_edge(axis, high_u, high_v)];
+        crossings_.round_face[u][high_u ? 1 : 0] += edge.end - edge.begin;
+        crossings_.round_face[v][high_v ? 1 : 0] += edge.end - edge.begin;
+        Vec3 point;
+        point[u] = high_u ? cell.box.hi[u] : cell.box.lo[u];
+        point[v] = high_v ? cell.box.hi[v] : cell.box.lo[v];
+        for (Index i = edge.begin; i < edge.end; ++i) {
+          const Index triangle = cell.crossings[i].plane();
+          const bool kept = cell.kept[i] != 0;
+          crossings_.all.push_back({triangle, kept});
+          if (!kept) continue;
+          point[axis] = real_position(cell.crossings[i].position);
+          hits_.push_back({point, &surface_.planes[triangle], triangle});
+        }
+      }
+    }
+  }
+
+  // Corners of the first triangles against all hits' planes: no means no, yes means look closer.
+  bool quick_fit(const CellView& cell) const {
+    for (const ListEntry& entry : cell.entries) {
+      for (const LatticePoint& p : surface_.triangles[entry.triangle]) {
+        if (!vertex_in_box(p, cell.box)) continue;
+        if (misfit(Vec3(p[0], p[1], p[2]), kNone) > tolerance_) return false;
+      }
+    }
+    return true;
+  }
+
+  // Distance to the nearest plane of the piece's hits (of all hits for kNone).
+  double misfit(const Vec3& p, Index piece) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const PlannedHit& hit : hits_) {
+      if (piece != kNone && hit.piece != piece) continue;
+      least = std::min(least, std::abs(hit.plane->normal.dot(p) - hit.plane->offset));
+    }
+    return least;
+  }
+
+  void assign_pieces() {
+    for (PlannedHit& hit : hits_) hit.piece = analysis_.piece_of_triangle(hit.piece);
+  }
+
+  bool pieces_fit(const LatticeBox& box) {
+    const std::span<const Piece> pieces = analysis_.pieces();
+    for (Index i = 0; i < pieces.size(); ++i) {
+      if (pieces[i].kept > 0 && !vertex_fits(box, i)) return false;
+    }
+    const std::span<const Index> members = analysis_.members();
+    for (std::size_t m = 0; m < members.size(); ++m) {
+      const Index piece = analysis_.piece_of(m);
+      if (pieces[piece].kept == 0) continue;  // no vertex here: left to topology
+      const ClippedPolygon part = clip_to_box(surface_.triangles[members[m]], box);
+      for (int i = 0; i < part.size; ++i) {
+        if (misfit(part.corners[i], piece) > tolerance_) return false;
+      }
+    }
+    return true;
+  }
+
+  bool vertex_fits(const LatticeBox& box, Index piece) const {
+    Vec3 sum = Vec3::Zero();
+    int count = 0;
+    for (const PlannedHit& hit : hits_) {
+      if (hit.piece != piece) continue;
+      sum += hit.point;
+      ++count;
+    }
+    PrimalQuadric quadric(sum / count);
+    for (const PlannedHit& hit : hits_) {
+      if (hit.piece == piece) quadric.add(*hit.plane);
+    }
+    const Vec3 vertex = quadric.minimiser_in(Vec3(box.lo[0], box.lo[1], box.lo[2]),
+                                             Vec3(box.hi[0], box.hi[1], box.hi[2]));
+    for (const PlannedHit& hit : hits_) {
+      if (hit.piece != piece) continue;
+      if (std::abs(hit.plane->normal.dot(vertex) - hit.plane->offset) > tolerance_) return false;
+    }
+    return near_piece(vertex, piece);
+  }
+
+  // Within the tolerance of the plane and of the bounds of one of the piece's triangles.
+  bool near_piece(const Vec3& vertex, Index piece) const {
+    const std::span<const Index> members = analysis_.members();
+    for (std::size_t m = 0; m < members.size(); ++m) {
+      if (analysis_.piece_of(m) != piece) continue;
+      const Plane& plane = surface_.planes[members[m]];
+      if (std::abs(plane.normal.dot(vertex) - plane.offset) > tolerance_) continue;
+      const LatticeBox& bounds = analysis_.bounds_of(m);
+      double outside = 0;
+      for (int i = 0; i < 3; ++i) {
+        outside = std::max({outside, bounds.lo[i] - vertex[i], vertex[i] - bounds.hi[i]});
+      }
+      if (outside <= tolerance_) return true;
+    }
+    return false;
+  }
+
+  std::optional<Split> resolve_topology(const CellView& cell) {
+    const std::span<const Piece> pieces = analysis_.pieces();
+    // Pieces whose crossings all lie within the solid (or outside) bound nothing.
+    const bool all_internal = std::all_of(pieces.begin(), pieces.end(), [](const Piece& piece) {
+      return piece.crossings > 0 && piece.kept == 0;
+    });
+    if (all_internal) return std::nullopt;
+    std::optional<LatticeBox> target;
+    int barred_axis = -1;
+    if (!analysis_.pieces_are_disks()) {
+      target = unresolved_bounds(cell.box);
+    } else if (const std::optional<ClosedCurve> curve = analysis_.find_closed_curve()) {
+      target = curve->bounds;
+      barred_axis = curve->axis;
+    }
+    if (!target) return std::nullopt;
+    const int longest = longest_axis(cell.box);
+    if (cell.box.hi[longest] - cell.box.lo[longest] < floor_) return give_up();
+    LatticeBox bounds = *target;
+    if (barred_axis >= 0) bounds.hi[barred_axis] = bounds.lo[barred_axis];
+    const int axis = longest_axis(bounds);
+    return split_at(cell, axis, bounds.lo[axis] + (bounds.hi[axis] - bounds.lo[axis]) / 2);
+  }
+
+  // A piece that no edge of the cell meets, or all of them.
+  LatticeBox unresolved_bounds(const LatticeBox& box) const {
+    for (const Piece& piece : analysis_.pieces()) {
+      if (piece.crossings == 0) return piece.bounds;
+    }
+    return box;
+  }
+
+  const Surface& surface_;
+  CellAnalysis analysis_;
+  double tolerance_;
+  double floor_;
+  int depth_;
+  bool octree_;
+  Index unresolved_ = 0;
+  CellCrossings crossings_;
+  std::vector<PlannedHit> hits_;
+};
+
+}  // namespace
+
+std::unique_ptr<SplitRule> make_adaptive_rule(const Surface& surface, double tolerance, int depth,
+                                              bool octree) {
+  return std::make_unique<AdaptiveRule>(surface, tolerance, depth, octree);
+}
+
+}  // namespace kdm

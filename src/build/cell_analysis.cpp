@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+// Pieces of the surface within a cell.
+//
+// The surface within an (open) cell is a union of mesh vertices, open mesh edges and open
+// triangles, each cut to a convex set. So its Euler characteristic is vertices - edges + triangles
+// that meet the cell. Each piece that is a disk counts one, any other counts less, and a closed
+// piece is known by its lack of crossings with the cell's edges.
+#include "build/cell_analysis.h"
+
+#include <algorithm>
+
+#include "geometry/triangle_box.h"
+
+namespace kdm {
+
+CellAnalysis::CellAnalysis(const Surface& surface)
+    : surface_(surface), local_(surface.triangles.size(), kNone) {}
+
+Index CellAnalysis::find(Index i) {
+  while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+  return i;
+}
+
+// `subset` holds member numbers; after the call, parent_ of each leads to its part's lowest.
+Index CellAnalysis::count_parts(std::span<const Index> subset, const LatticeBox& box) {
+  parent_.assign(members_.size(), kNone);
+  for (const Index m : subset) parent_[m] = m;
+  auto parts = static_cast<Index>(subset.size());
+  edges_ = 0;
+  for (const Index m : subset) {
+    const Index triangle = members_[m];
+    const LatticeTriangle& t = surface_.triangles[triangle];
+    for (int i = 0; i < 3; ++i) {
+      const Index side = 3 * triangle + static_cast<Index>(i);
+      const Index twin = surface_.topology.twin[side];
+      if (twin < side || !edge_meets_box(t[i], t[next_corner(i)], box)) continue;
+      ++edges_;
+      const Index other = local_[twin / 3];
+      if (other == kNone || parent_[other] == kNone) continue;
+      const Index a = find(m);
+      const Index b = find(other);
+      if (a == b) continue;
+      parent_[std::max(a, b)] = std::min(a, b);
+      --parts;
+    }
+  }
+  return parts;
+}
+
+void CellAnalysis::find_pieces(const LatticeBox& box, std::span<const ListEntry> entries,
+                               const CellCrossings& crossings) {
+  for (const Index triangle : members_) local_[triangle] = kNone;
+  box_ = box;
+  crossings_ = &crossings;
+  members_.clear();
+  bounds_.clear();
+  for (const ListEntry& entry : entries) {
+    if (!triangle_meets_box(surface_.triangles[entry.triangle], box)) continue;
+    local_[entry.triangle] = static_cast<Index>(members_.size());
+    members_.push_back(entry.triangle);
+    bounds_.push_back(entry.bounds);
+  }
+  subset_.clear();
+  for (Index m = 0; m < members_.size(); ++m) subset_.push_back(m);
+  const Index parts = count_parts(subset_, box);
+  vertices_.clear();
+  for (const Index triangle : members_) {
+    for (int i = 0; i < 3; ++i) {
+      if (vertex_in_box(surface_.triangles[triangle][i], box)) {
+        vertices_.push_back(surface_.corners[triangle][i]);
+      }
+    }
+  }
+  std::sort(vertices_.begin(), vertices_.end());
+  const auto vertices = std::unique(vertices_.begin(), vertices_.end()) - vertices_.begin();
+  euler_characteristic_ =
+      static_cast<std::int64_t>(vertices) - edges_ + static_cast<std::int64_t>(members_.size());
+  // A part's lowest member comes before its others: pieces are numbered in that order.
+  pieces_.clear();
+  pieces_.reserve(parts);
+  piece_.resize(members_.size());
+  for (Index m = 0; m < members_.size(); ++m) {
+    const Index root = find(m);
+    if (root == m) {
+      piece_[m] = static_cast<Index>(pieces_.size());
+      pieces_.push_back({0, 0, bounds_[m]});
+    } else {
+      piece_[m] = piece_[root];
+    }
+    LatticeBox& bounds = pieces_[piece_[m]].bounds;
+    for (int i = 0; i < 3; ++i) {
+      bounds.lo[i] = std::min(bounds.lo[i], bounds_[m].lo[i]);
+      bounds.hi[i] = std::max(bounds.hi[i], bounds_[m].hi[i]);
+    }
+  }
+  for (const CellCrossing& crossing : crossings.all) {
+    const Index m = local_[crossing.triangle];
+    if (m == kNone) continue;
+    ++pieces_[piece_[m]].crossings;
+    pieces_[piece_[m]].kept += crossing.kept ? 1 : 0;
+  }
+}
+
+bool CellAnalysis::pieces_are_disks() const {
+  if (euler_characteristic_ != static_cast<std::int64_t>(pieces_.size())) return false;
+  return std::all_of(pieces_.begin(), pieces_.end(),
+                     [](const Piece& piece) { return piece.crossings > 0; });
+}
+
+std::optional<ClosedCurve> CellAnalysis::find_closed_curve() {
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const bool high : {false, true}) {
+      LatticeBox face = box_;
+      face.lo[axis] = face.hi[axis] = high ? box_.hi[axis] : box_.lo[axis];
+      subset_.clear();
+      for (Index m = 0; m < members_.size(); ++m) {
+        const bool reaches =
+            high ? bounds_[m].hi[axis] == box_.hi[axis] : bounds_[m].lo[axis] == box_.lo[axis];
+        if (reaches && triangle_meets_box(surface_.triangles[members_[m]], face)) {
+          subset_.push_back(m);
+        }
+      }
+      if (subset_.empty()) continue;
+      // Each open part of the section ends in two crossings.
+      const Index open = crossings_->round_face[axis][high ? 1 : 0] / 2;
+      if (count_parts(subset_, face) == open) continue;
+      ClosedCurve curve{axis, bounds_[subset_[0]]};
+      for (const Index m : subset_) {
+        for (int i = 0; i < 3; ++i) {
+          curve.bounds.lo[i] = std::min(curve.bounds.lo[i], bounds_[m].lo[i]);
+          curve.bounds.hi[i] = std::max(curve.bounds.hi[i], bounds_[m].hi[i]);
+        }
+      }
+      return curve;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace kdm

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// What the surface within a cell is: its pieces, their topology, exactly (Euler characteristic and
+// connectedness by counting, with the predicates of geometry/).
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "build/surface.h"
+#include "build/triangle_lists.h"
+#include "grid/grid_data.h"
+
+namespace kdm {
+
+/// A crossing on one of the cell's edges.
+struct CellCrossing {
+  Index triangle;
+  bool kept;  ///< the inside rule changes there: it will be a hit
+};
+
+/// The cell's crossings, and how many lie round each of its faces (axis, low/high).
+struct CellCrossings {
+  std::vector<CellCrossing> all;
+  std::array<std::array<Index, 2>, 3> round_face{};
+};
+
+/// A connected part of the surface within the cell.
+struct Piece {
+  Index crossings = 0;
+  Index kept = 0;
+  LatticeBox bounds;
+};
+
+/// The surface's section with a face of the cell has a closed curve (paper fig. 8a).
+struct ClosedCurve {
+  int axis;           ///< normal to the face
+  LatticeBox bounds;  ///< of all triangles on the face
+};
+
+class CellAnalysis {
+ public:
+  explicit CellAnalysis(const Surface& surface);
+
+  /// Finds the triangles that meet the cell and the pieces they form. `crossings` must live on.
+  void find_pieces(const LatticeBox& box, std::span<const ListEntry> entries,
+                   const CellCrossings& crossings);
+
+  std::span<const Piece> pieces() const { return pieces_; }
+  /// The triangles that meet the cell, and the piece of each.
+  std::span<const Index> members() const { return members_; }
+  Index piece_of(std::size_t member) const { return piece_[member]; }
+  /// Bounds of a member's part in the cell, rounded outwards.
+  const LatticeBox& bounds_of(std::size_t member) const { return bounds_[member]; }
+  /// Piece of a triangle, kNone if it does not meet the cell.
+  Index piece_of_triangle(Index triangle) const {
+    return local_[triangle] == kNone ? kNone : piece_[local_[triangle]];
+  }
+
+  /// Is every piece a disk that reaches the cell's edges?
+  bool pieces_are_disks() const;
+  /// The first face of the cell with a closed curve, if there is one.
+  std::optional<ClosedCurve> find_closed_curve();
+
+ private:
+  Index count_parts(std::span<const Index> subset, const LatticeBox& box);
+  Index find(Index i);
+
+  const Surface& surface_;
+  LatticeBox box_;
+  const CellCrossings* crossings_ = nullptr;
+  std::vector<Index> members_;
+  std::vector<LatticeBox> bounds_;  // per member: of its part in the cell, rounded outwards
+  std::vector<Index> piece_;        // per member
+  std::vector<Index> local_;        // per triangle: its number among the members, or kNone
+  std::vector<Index> subset_;
+  std::vector<Index> parent_;
+  std::vector<Index> vertices_;
+  std::vector<Piece> pieces_;
+  Index edges_ = 0;
+  std::int64_t euler_characteristic_ = 0;
+};
+
+}  // namespace kdm
