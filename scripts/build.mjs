@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// `npm run build [native] [wasm] [package]`: the native command line to build/native, the
+// WebAssembly module to build/wasm, the npm package to dist/. Builds only what is out of date.
+import {
+  chmodSync,
+  copyFileSync,
+  existsSync,
+  mkdirSync,
+  readFileSync,
+  writeFileSync,
+} from 'node:fs';
+import { pathToFileURL } from 'node:url';
+import { jobs, root, run, setup, tool } from './run.mjs';
+
+/** Configures (once) and builds a CMake folder. */
+export function cmake(folder, settings, { targets = [], wrapper = [] } = {}) {
+  const [command, ...args] = [
+    ...wrapper,
+    'cmake',
+    '-S',
+    '.',
+    '-B',
+    folder,
+    '-G',
+    'Ninja',
+    ...settings.map((setting) => `-D${setting}`),
+  ];
+  // Configuring again is quick, but not free: only when the settings changed.
+  const stamp = `${root}/${folder}/kdm-settings.txt`;
+  const wanted = [command, ...args].join('\n');
+  if (!existsSync(`${root}/${folder}/build.ninja`) || read(stamp) !== wanted) {
+    mkdirSync(`${root}/${folder}`, { recursive: true });
+    run(command, args, { env: emscriptenEnvironment });
+    writeFileSync(stamp, wanted);
+  }
+  const chosen = targets.flatMap((target) => ['--target', target]);
+  run('cmake', ['--build', folder, '-j', jobs, ...chosen], { env: emscriptenEnvironment });
+}
+
+// The optimiser of Debian's Emscripten wants Debian's acorn, wherever Node itself comes from.
+const emscriptenEnvironment = existsSync('/usr/share/nodejs/acorn')
+  ? { NODE_PATH: '/usr/share/nodejs' }
+  : {};
+
+const read = (path) => (existsSync(path) ? readFileSync(path, 'utf8') : '');
+
+export const builders = {
+  native() {
+    setup('native');
+    cmake('build/native', ['CMAKE_BUILD_TYPE=Release']);
+  },
+  wasm() {
+    setup('wasm');
+    cmake('build/wasm', ['CMAKE_BUILD_TYPE=Release', 'KDM_BUILD_WASM=ON'], {
+      wrapper: ['emcmake'],
+      targets: ['kdm_wasm'],
+    });
+  },
+  package() {
+    tool('tsc', ['-p', 'tsconfig.build.json']);
+    for (const file of ['kdmanifold.js', 'kdmanifold.wasm']) {
+      copyFileSync(`${root}/build/wasm/wasm/${file}`, `${root}/dist/${file}`);
+    }
+    chmodSync(`${root}/dist/cli.js`, 0o755);
+  },
+};
+
+if (import.meta.url === pathToFileURL(process.argv[1]).href) {
+  const wanted = process.argv.length > 2 ? process.argv.slice(2) : Object.keys(builders);
+  for (const name of wanted) {
+    if (!(name in builders)) {
+      console.error(`build: unknown part '${name}' (${Object.keys(builders).join(', ')})`);
+      process.exit(2);
+    }
+    builders[name]();
+  }
+}
