@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// What the module exports, and nothing else.
+#include <emscripten/bind.h>
+
+#include "module.h"
+
+EMSCRIPTEN_BINDINGS(kdmanifold) {
+  using namespace emscripten;
+  class_<kdm::Grid>("Grid")
+      .function("extract", &kdm::wasm::extract)
+      .function("stats", &kdm::wasm::grid_stats)
+      .function("input", &kdm::wasm::grid_input);
+  function("buildGrid", &kdm::wasm::build_grid);
+  function("parseMesh", &kdm::wasm::parse_mesh);
+  function("formatMesh", &kdm::wasm::format_mesh);
+  function("describe", &kdm::wasm::describe);
+  function("memory", &kdm::wasm::memory);
+  function("version", &kdm::wasm::version);
+}

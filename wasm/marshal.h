@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+// How values cross between JavaScript and C++: typed arrays to vectors and back, option objects to
+// option structs, exceptions to {code, message}. Arguments have been checked by the wrapper.
+#pragma once
+
+#include <emscripten/val.h>
+
+#include <array>
+#include <new>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "kdmanifold/error.h"
+#include "kdmanifold/mesh.h"
+#include "kdmanifold/progress.h"
+
+namespace kdm::wasm {
+
+using emscripten::typed_memory_view;
+using emscripten::val;
+
+// A mesh's arrays are read and written as runs of plain numbers.
+static_assert(sizeof(Vec3) == 3 * sizeof(double));
+static_assert(sizeof(Triangle) == 3 * sizeof(Index) && sizeof(Quad) == 4 * sizeof(Index));
+
+/// Copies a typed array of any kind into `to`, which has room for `count` numbers. The view is
+/// made after every allocation, so growing memory cannot detach it.
+template <typename T>
+void copy_in(const val& array, std::size_t count, T* to) {
+  if (count > 0) val(typed_memory_view(count, to)).call<void>("set", array);
+}
+
+/// A fresh typed array of class `type` with a copy of the numbers; 64-bit positions become 32-bit
+/// on the way if the class says so.
+template <typename T>
+val copy_out(const char* type, std::size_t count, const T* from) {
+  return val::global(type).new_(val(typed_memory_view(count, from)));
+}
+
+inline std::size_t length(const val& array) { return array["length"].as<std::size_t>(); }
+
+inline bool present(const val& value) { return !value.isUndefined() && !value.isNull(); }
+
+/// {positions, indices?, quads?, sourceFaces?}; without indices every three positions are a
+/// triangle.
+inline Mesh to_mesh(const val& from) {
+  Mesh mesh;
+  const val positions = from["positions"];
+  const std::size_t numbers = length(positions);
+  mesh.positions.resize(numbers / 3);
+  copy_in(positions, numbers, reinterpret_cast<double*>(mesh.positions.data()));
+  const val indices = from["indices"];
+  if (present(indices)) {
+    mesh.triangles.resize(length(indices) / 3);
+    copy_in(indices, mesh.triangles.size() * 3, reinterpret_cast<Index*>(mesh.triangles.data()));
+  } else {
+    mesh.triangles.resize(mesh.positions.size() / 3);
+    Index* const first = reinterpret_cast<Index*>(mesh.triangles.data());
+    std::iota(first, first + mesh.triangles.size() * 3, Index{0});
+  }
+  const val quads = from["quads"];
+  if (present(quads)) {
+    mesh.quads.resize(length(quads) / 4);
+    copy_in(quads, mesh.quads.size() * 4, reinterpret_cast<Index*>(mesh.quads.data()));
+  }
+  const val source_faces = from["sourceFaces"];
+  if (present(source_faces)) {
+    mesh.source_faces.resize(length(source_faces));
+    copy_in(source_faces, mesh.source_faces.size(), mesh.source_faces.data());
+  }
+  return mesh;
+}
+
+/// The same back, as copies that JavaScript owns; `real` is the class of the positions.
+inline val from_mesh(const Mesh& mesh, const char* real) {
+  val to = val::object();
+  to.set("positions", copy_out(real, mesh.positions.size() * 3,
+                               reinterpret_cast<const double*>(mesh.positions.data())));
+  to.set("indices", copy_out("Uint32Array", mesh.triangles.size() * 3,
+                             reinterpret_cast<const Index*>(mesh.triangles.data())));
+  if (!mesh.quads.empty()) {
+    to.set("quads", copy_out("Uint32Array", mesh.quads.size() * 4,
+                             reinterpret_cast<const Index*>(mesh.quads.data())));
+  }
+  to.set("sourceFaces",
+         copy_out("Uint32Array", mesh.source_faces.size(), mesh.source_faces.data()));
+  return to;
+}
+
+inline std::string to_bytes(const val& array) {
+  std::string bytes(length(array), '\0');
+  copy_in(array, bytes.size(), reinterpret_cast<std::uint8_t*>(bytes.data()));
+  return bytes;
+}
+
+inline val from_bytes(std::string_view bytes) {
+  return copy_out("Uint8Array", bytes.size(), reinterpret_cast<const std::uint8_t*>(bytes.data()));
+}
+
+/// A name and what it stands for, as in `{"octree", SplitStrategy::kOctree}`.
+template <typename E>
+using Named = std::pair<const char*, E>;
+
+template <typename E, std::size_t N>
+E to_enum(const val& value, const char* option, const std::array<Named<E>, N>& names) {
+  const std::string text = value.as<std::string>();
+  for (const auto& [name, meaning] : names) {
+    if (text == name) return meaning;
+  }
+  throw Error(ErrorCode::kInvalidOption, std::string(option) + ": unknown value '" + text + "'");
+}
+
+/// Takes option `name` over if the object has it; what it lacks keeps the C++ default.
+template <typename T>
+void read(const val& options, const char* name, T& to) {
+  const val value = options[name];
+  if (present(value)) to = value.as<T>();
+}
+
+template <typename E, std::size_t N>
+void read(const val& options, const char* name, E& to, const std::array<Named<E>, N>& names) {
+  const val value = options[name];
+  if (present(value)) to = to_enum(value, name, names);
+}
+
+/// The callback must not throw: a JavaScript exception would not unwind C++ frames properly. The
+/// wrapper sees to that.
+inline Progress to_progress(const val& callback) {
+  if (!present(callback)) return {};
+  return [callback](double fraction, std::string_view phase) {
+    return callback(fraction, std::string(phase)).template as<bool>();
+  };
+}
+
+/// Runs `work` and returns {value} or, whatever C++ exception it ends with, {code, message}.
+template <typename Work>
+val guard(Work&& work) {
+  const auto failure = [](const char* code, const char* message) {
+    val answer = val::object();
+    answer.set("code", std::string(code));
+    answer.set("message", std::string(message));
+    return answer;
+  };
+  try {
+    val answer = val::object();
+    answer.set("value", work());
+    return answer;
+  } catch (const Error& error) {
+    return failure(error_code_name(error.code()), error.what());
+  } catch (const std::bad_alloc&) {
+    return failure("OUT_OF_MEMORY", "not enough memory for this mesh and these options");
+  } catch (const std::length_error&) {
+    return failure("OUT_OF_MEMORY", "an array would be longer than memory allows");
+  } catch (const std::exception& error) {
+    return failure("INTERNAL", error.what());
+  } catch (...) {
+    return failure("INTERNAL", "an exception of unknown type");
+  }
+}
+
+}  // namespace kdm::wasm

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+// The functions that the wrapper calls: marshal, call the library, marshal. Each returns what
+// `guard` makes of it. A new option is one line in `to_build_options` or `to_extract_options`.
+#pragma once
+
+#include <malloc.h>
+
+#include <emscripten/heap.h>
+
+#include "kdmanifold/kdmanifold.h"
+#include "marshal.h"
+
+namespace kdm::wasm {
+
+inline constexpr std::array<Named<SplitStrategy>, 3> kStrategies = {
+    {{"octree", SplitStrategy::kOctree},
+     {"median", SplitStrategy::kMedian},
+     {"uniform", SplitStrategy::kUniform}}};
+inline constexpr std::array<Named<InsideRule>, 3> kInsideRules = {
+    {{"positive", InsideRule::kPositive},
+     {"odd", InsideRule::kOdd},
+     {"nonzero", InsideRule::kNonzero}}};
+inline constexpr std::array<Named<Pairing>, 4> kPairings = {{{"trace", Pairing::kTrace},
+                                                             {"hermite", Pairing::kHermite},
+                                                             {"inside", Pairing::kInside},
+                                                             {"outside", Pairing::kOutside}}};
+inline constexpr std::array<Named<MeshFormat>, 4> kFormats = {{{"obj", MeshFormat::kObj},
+                                                               {"stl", MeshFormat::kStl},
+                                                               {"ply", MeshFormat::kPly},
+                                                               {"off", MeshFormat::kOff}}};
+
+inline BuildOptions to_build_options(const val& from) {
+  BuildOptions options;
+  read(from, "strategy", options.strategy, kStrategies);
+  read(from, "depth", options.depth);
+  read(from, "inside", options.inside, kInsideRules);
+  read(from, "pairing", options.pairing, kPairings);
+  return options;
+}
+
+inline ExtractOptions to_extract_options(const val& from) {
+  ExtractOptions options;
+  read(from, "quads", options.quads);
+  read(from, "strict", options.strict);
+  return options;
+}
+
+inline val from_box(const Box& box) {
+  val to = val::object();
+  to.set("min", copy_out("Float64Array", 3, box.min.data()));
+  to.set("max", copy_out("Float64Array", 3, box.max.data()));
+  return to;
+}
+
+inline val from_input_report(const InputReport& report) {
+  val to = val::object();
+  to.set("vertices", report.vertices);
+  to.set("triangles", report.triangles);
+  to.set("closed", report.closed);
+  to.set("boundaryEdges", report.boundary_edges);
+  to.set("nonManifoldEdges", report.non_manifold_edges);
+  to.set("degenerateFaces", report.degenerate_faces);
+  to.set("components", report.components);
+  to.set("flipped", report.flipped);
+  to.set("latticeStep", report.lattice_step);
+  return to;
+}
+
+inline val from_grid_stats(const GridStats& stats) {
+  val to = val::object();
+  to.set("cells", stats.cells);
+  to.set("leaves", stats.leaves);
+  to.set("hits", stats.hits);
+  to.set("depth", stats.depth);
+  to.set("bytes", stats.bytes);
+  to.set("ambiguousFaces", stats.ambiguous_faces);
+  to.set("guessedFaces", stats.guessed_faces);
+  return to;
+}
+
+inline val from_mesh_report(const MeshReport& report) {
+  val to = val::object();
+  to.set("vertices", report.vertices);
+  to.set("triangles", report.triangles);
+  to.set("quads", report.quads);
+  to.set("unreferencedVertices", report.unreferenced_vertices);
+  to.set("boundaryEdges", report.boundary_edges);
+  to.set("nonManifoldEdges", report.non_manifold_edges);
+  to.set("misorientedEdges", report.misoriented_edges);
+  to.set("nonManifoldVertices", report.non_manifold_vertices);
+  to.set("degenerateFaces", report.degenerate_faces);
+  to.set("duplicateFaces", report.duplicate_faces);
+  to.set("components", report.components);
+  to.set("eulerCharacteristic", static_cast<double>(report.euler_characteristic));
+  to.set("closed", report.closed);
+  to.set("twoManifold", report.two_manifold);
+  to.set("volume", report.volume);
+  to.set("area", report.area);
+  to.set("bounds", from_box(report.bounds));
+  return to;
+}
+
+inline val build_grid(val mesh, val options, val progress) {
+  return guard([&] {
+    return val(kdm::build_grid(to_mesh(mesh), to_build_options(options), to_progress(progress)));
+  });
+}
+
+inline val extract(const Grid& grid, val options, val progress) {
+  return guard([&] {
+    const ExtractedMesh mesh =
+        kdm::extract(grid, to_extract_options(options), to_progress(progress));
+    val to = from_mesh(mesh, "Float32Array");
+    val report = val::object();
+    report.set("droppedPillows", mesh.report.dropped_pillows);
+    report.set("insertedVertices", mesh.report.inserted_vertices);
+    to.set("report", report);
+    return to;
+  });
+}
+
+inline val grid_stats(const Grid& grid) { return from_grid_stats(grid.stats()); }
+
+inline val grid_input(const Grid& grid) { return from_input_report(grid.input()); }
+
+// Positions stay 64-bit, as the native command line has them: both make the same grid.
+inline val parse_mesh(val bytes, val format, std::string name) {
+  return guard([&] {
+    return from_mesh(kdm::parse_mesh(to_bytes(bytes), to_enum(format, "format", kFormats), name),
+                     "Float64Array");
+  });
+}
+
+inline val format_mesh(val mesh, val format) {
+  return guard([&] {
+    return from_bytes(kdm::format_mesh(to_mesh(mesh), to_enum(format, "format", kFormats)));
+  });
+}
+
+inline val describe(val mesh) {
+  return guard([&] { return from_mesh_report(kdm::describe(to_mesh(mesh))); });
+}
+
+/// Bytes of the heap (it never shrinks, so: the most that was ever needed) and bytes in use.
+inline val memory() {
+  val to = val::object();
+  to.set("heapBytes", emscripten_get_heap_size());
+  to.set("usedBytes", static_cast<std::size_t>(mallinfo().uordblks));
+  return to;
+}
+
+inline std::string version() { return KDM_VERSION; }
+
+}  // namespace kdm::wasm
