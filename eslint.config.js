@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+import js from '@eslint/js';
+import ts from 'typescript-eslint';
+
+const node = {
+  Buffer: 'readonly',
+  URL: 'readonly',
+  console: 'readonly',
+  performance: 'readonly',
+  process: 'readonly',
+  setTimeout: 'readonly',
+  clearTimeout: 'readonly',
+};
+
+export default ts.config(
+  { ignores: ['build/', 'dist/', 'docs/api/', 'node_modules/'] },
+  js.configs.recommended,
+  ...ts.configs.recommended,
+  {
+    files: ['web/**/*.ts'],
+    extends: [...ts.configs.strictTypeChecked],
+    languageOptions: {
+      parserOptions: { project: ['./tsconfig.json', './web/demo/tsconfig.json'] },
+    },
+    rules: {
+      '@typescript-eslint/restrict-template-expressions': 'off',
+      '@typescript-eslint/no-confusing-void-expression': 'off',
+      '@typescript-eslint/no-invalid-void-type': 'off',
+      '@typescript-eslint/no-unnecessary-type-parameters': 'off',
+      // The checks at the border doubt what the types promise, on purpose.
+      '@typescript-eslint/no-unnecessary-condition': 'off',
+    },
+  },
+  {
+    rules: {
+      eqeqeq: 'error',
+      'no-var': 'error',
+      'prefer-const': 'error',
+      'no-console': ['error', { allow: ['log', 'error'] }],
+    },
+  },
+  {
+    files: ['**/*.{js,mjs}'],
+    languageOptions: { globals: node },
+  },
+  {
+    files: ['tests/js/**/*.js'],
+    languageOptions: {
+      globals: {
+        ...node,
+        AbortController: 'readonly',
+        afterAll: 'readonly',
+        afterEach: 'readonly',
+        beforeAll: 'readonly',
+        beforeEach: 'readonly',
+        describe: 'readonly',
+        document: 'readonly',
+        expect: 'readonly',
+        fetch: 'readonly',
+        test: 'readonly',
+        window: 'readonly',
+      },
+    },
+  },
+);

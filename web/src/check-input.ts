@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+// Everything that a caller can get wrong is found here, before any memory is taken.
+import { KdManifoldError } from './errors.js';
+import { buildOptions, extractOptions, type OptionSpec } from './options.js';
+import type { BuildOptions, ExtractOptions, MeshInput, PolygonMeshInput } from './types.js';
+
+type Positions = MeshInput['positions'];
+type Indices = Uint16Array | Uint32Array;
+
+const fail = (message: string): never => {
+  throw new KdManifoldError('INVALID_MESH', message);
+};
+
+/** The class of a typed array, also of one from another frame or context; else what it is. */
+function kindOf(value: unknown): string {
+  if (ArrayBuffer.isView(value))
+    return (value as { [Symbol.toStringTag]?: string })[Symbol.toStringTag] ?? 'DataView';
+  if (value === null) return 'null';
+  return Array.isArray(value) ? 'a plain array' : typeof value;
+}
+
+function demandKind(value: unknown, name: string, kinds: string[], multiple: number): void {
+  const kind = kindOf(value);
+  if (!kinds.includes(kind)) fail(`${name}: expected ${kinds.join(' or ')}, got ${kind}`);
+  const { length } = value as Positions;
+  if (length % multiple !== 0) fail(`${name}: length ${length} is not a multiple of ${multiple}`);
+}
+
+function demandIndices(indices: Indices, name: string, vertices: number): void {
+  for (let i = 0; i < indices.length; ++i) {
+    if ((indices[i] as number) >= vertices) {
+      fail(`${name}[${i}] is ${indices[i]}, but there are only ${vertices} vertices`);
+    }
+  }
+}
+
+/** A mesh whose arrays are what they should be. Also accepts one without any face. */
+export function checkPolygonMesh(mesh: PolygonMeshInput): PolygonMeshInput {
+  if (typeof mesh !== 'object' || mesh === null) {
+    fail(`mesh: expected an object with positions and indices, got ${kindOf(mesh)}`);
+  }
+  const { positions, indices = null, quads = null, sourceFaces = null } = mesh;
+  demandKind(positions, 'positions', ['Float32Array', 'Float64Array'], 3);
+  for (let i = 0; i < positions.length; ++i) {
+    if (!Number.isFinite(positions[i])) {
+      fail(`positions[${i}] is ${positions[i]}; coordinates must be finite`);
+    }
+  }
+  const vertices = positions.length / 3;
+  if (indices === null) {
+    if (vertices % 3 !== 0) {
+      fail(`positions: without indices, length ${positions.length} must be a multiple of 9`);
+    }
+  } else {
+    demandKind(indices, 'indices', ['Uint16Array', 'Uint32Array'], 3);
+    demandIndices(indices, 'indices', vertices);
+  }
+  if (quads !== null) {
+    demandKind(quads, 'quads', ['Uint32Array'], 4);
+    demandIndices(quads, 'quads', vertices);
+  }
+  if (sourceFaces !== null) {
+    demandKind(sourceFaces, 'sourceFaces', ['Uint32Array'], 1);
+    const faces = (indices?.length ?? vertices) / 3 + (quads?.length ?? 0) / 4;
+    if (sourceFaces.length !== faces) {
+      fail(`sourceFaces: length ${sourceFaces.length}, but there are ${faces} faces`);
+    }
+  }
+  return { positions, indices, quads, sourceFaces };
+}
+
+/** The same for a mesh to be converted: triangles, at least one. */
+export function checkMesh(mesh: MeshInput): MeshInput {
+  const { positions, indices, sourceFaces } = checkPolygonMesh(
+    typeof mesh === 'object' && mesh !== null ? { ...mesh, quads: null } : mesh,
+  );
+  if ((indices ?? positions).length === 0) fail('the mesh has no triangles');
+  return { positions, indices, sourceFaces };
+}
+
+function checkOption(name: string, value: unknown, spec: OptionSpec): void {
+  const refuse = (expected: string): never => {
+    const shown = typeof value === 'string' ? `'${value}'` : String(value);
+    throw new KdManifoldError('INVALID_OPTION', `${name}: expected ${expected}, got ${shown}`);
+  };
+  switch (spec.kind) {
+    case 'choice':
+      if (!spec.values.includes(value as string)) refuse(`one of ${spec.values.join(', ')}`);
+      break;
+    case 'integer':
+      if (
+        !Number.isInteger(value) ||
+        (value as number) < spec.min ||
+        (value as number) > spec.max
+      ) {
+        refuse(`a whole number from ${spec.min} to ${spec.max}`);
+      }
+      break;
+    case 'flag':
+      if (typeof value !== 'boolean') refuse('true or false');
+      break;
+  }
+}
+
+/** Takes from `given` what `table` knows and refuses what neither it nor `others` know. */
+function pick(given: object, table: Record<string, OptionSpec>, others: string[]): object {
+  if (typeof given !== 'object' || given === null) {
+    throw new KdManifoldError(
+      'INVALID_OPTION',
+      `options: expected an object, got ${kindOf(given)}`,
+    );
+  }
+  const taken: Record<string, unknown> = {};
+  for (const [name, value] of Object.entries(given)) {
+    const spec = Object.hasOwn(table, name) ? table[name] : undefined;
+    if (spec === undefined) {
+      if (others.includes(name)) continue;
+      throw new KdManifoldError('INVALID_OPTION', `${name}: no such option`);
+    }
+    if (value === undefined) continue;
+    checkOption(name, value, spec);
+    taken[name] = value;
+  }
+  return taken;
+}
+
+/** The options of `buildGrid`, without those named in `others`, which someone else reads. */
+export function checkBuildOptions(given: object, others: string[]): BuildOptions {
+  return pick(given, buildOptions, others);
+}
+
+/** The options of `Grid.extract`. */
+export function checkExtractOptions(given: object, others: string[]): ExtractOptions {
+  return pick(given, extractOptions, others);
+}

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// The one error type of the package.
+
+/**
+ * What went wrong:
+ * - `INVALID_MESH`: an array is unusable; the message names it, the index and the value
+ * - `INVALID_OPTION`: an option is unknown or out of its range
+ * - `NOT_CLOSED`: the input is open or inconsistently oriented
+ * - `PARSE_ERROR`: a file's content is malformed; the message names the line or byte
+ * - `IO_ERROR`: a file cannot be read or written, or its extension is unknown
+ * - `OUT_OF_MEMORY`: the 4 GB that WebAssembly has, or what the machine gives, were not enough
+ * - `ABORTED`: the signal or the progress callback asked to stop
+ * - `DELETED`: a grid was used after `delete()`
+ * - `LOAD_FAILED`: the WebAssembly file could not be fetched or compiled
+ * - `INTERNAL`: a bug of this library, please report it
+ */
+export type ErrorCode =
+  | 'INVALID_MESH'
+  | 'INVALID_OPTION'
+  | 'NOT_CLOSED'
+  | 'PARSE_ERROR'
+  | 'IO_ERROR'
+  | 'OUT_OF_MEMORY'
+  | 'ABORTED'
+  | 'DELETED'
+  | 'LOAD_FAILED'
+  | 'INTERNAL';
+
+/** Thrown, or rejected with, by everything in this package; the module works on afterwards. */
+export class KdManifoldError extends Error {
+  /** What went wrong, for programs. The message says it for people. */
+  readonly code: ErrorCode;
+
+  constructor(code: ErrorCode, message: string, options?: ErrorOptions) {
+    super(message, options);
+    this.name = 'KdManifoldError';
+    this.code = code;
+  }
+}
+
+/** @internal The error for a signal that was aborted. */
+export function aborted(signal?: AbortSignal): KdManifoldError {
+  return new KdManifoldError('ABORTED', 'stopped on request', { cause: signal?.reason });
+}

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+/// <reference lib="esnext.disposable" preserve="true" />
+// The handle of a grid that lives in WebAssembly memory.
+import { call, type Health } from './call.js';
+import { checkExtractOptions } from './check-input.js';
+import { KdManifoldError } from './errors.js';
+import type { RawGrid } from './kdmanifold.js';
+import type {
+  ExtractedMesh,
+  ExtractOptions,
+  GridStats,
+  InputReport,
+  ProgressOptions,
+} from './types.js';
+
+// Node 20 has the symbol, not every browser has.
+const dispose: typeof Symbol.dispose = Symbol.dispose ?? Symbol.for('Symbol.dispose');
+
+/**
+ * The kd-tree of a mesh, from which surfaces are extracted. It holds memory outside of JavaScript's
+ * reach: call `delete()` when done with it (or declare it with `using`). Forgotten grids are freed
+ * some time after they have become unreachable.
+ */
+export class Grid {
+  #raw: RawGrid | null;
+  readonly #registry: FinalizationRegistry<RawGrid>;
+  readonly #health: Health;
+
+  /** @internal */
+  constructor(raw: RawGrid, registry: FinalizationRegistry<RawGrid>, health: Health) {
+    this.#raw = raw;
+    this.#registry = registry;
+    this.#health = health;
+    registry.register(this, raw, this);
+  }
+
+  /** What the grid was built from. */
+  get input(): InputReport {
+    return this.#demand().input();
+  }
+
+  /** The size of the grid. */
+  get stats(): GridStats {
+    return this.#demand().stats();
+  }
+
+  /** The surface: closed, oriented outwards, 2-manifold. The grid stays as it is. */
+  extract(options: ExtractOptions & ProgressOptions = {}): ExtractedMesh {
+    const raw = this.#demand();
+    const checked = checkExtractOptions(options, ['onProgress']);
+    return call(this.#health, options.onProgress, (progress) => raw.extract(checked, progress));
+  }
+
+  /** Frees the memory; calling it again does nothing, calling anything else throws `DELETED`. */
+  delete(): void {
+    if (this.#raw === null) return;
+    this.#registry.unregister(this);
+    if (!this.#health.broken) this.#raw.delete();
+    this.#raw = null;
+  }
+
+  /** The same as `delete()`, for `using`. */
+  [dispose](): void {
+    this.delete();
+  }
+
+  #demand(): RawGrid {
+    if (this.#raw === null) {
+      throw new KdManifoldError('DELETED', 'this grid has been deleted');
+    }
+    return this.#raw;
+  }
+}

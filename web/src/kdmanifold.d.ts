@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// The types of what Emscripten generates from wasm/bindings.cpp. Only library.ts and grid.ts see it.
+import type { ErrorCode } from './errors.js';
+import type {
+  ExtractedMesh,
+  GridStats,
+  InputReport,
+  MeshReport,
+  ParsedMesh,
+  PolygonMeshInput,
+} from './types.js';
+
+/** What guard() in wasm/marshal.h returns. */
+export type Answer<T> = { value: T; code?: undefined } | { code: ErrorCode; message: string };
+
+/** Null, or a callback that never throws and returns true to go on. */
+export type RawProgress = ((fraction: number, phase: string) => boolean) | null;
+
+export interface RawGrid {
+  extract(options: object, progress: RawProgress): Answer<ExtractedMesh>;
+  stats(): GridStats;
+  input(): InputReport;
+  delete(): void;
+}
+
+export interface RawModule {
+  buildGrid(mesh: PolygonMeshInput, options: object, progress: RawProgress): Answer<RawGrid>;
+  parseMesh(bytes: Uint8Array, format: string, name: string): Answer<ParsedMesh>;
+  formatMesh(mesh: PolygonMeshInput, format: string): Answer<Uint8Array<ArrayBuffer>>;
+  describe(mesh: PolygonMeshInput): Answer<MeshReport>;
+  memory(): { heapBytes: number; usedBytes: number };
+  version(): string;
+}
+
+export interface ModuleSettings {
+  instantiateWasm(
+    imports: WebAssembly.Imports,
+    receive: (instance: WebAssembly.Instance, module: WebAssembly.Module) => void,
+  ): object;
+  print?(text: string): void;
+  printErr?(text: string): void;
+}
+
+export default function createModule(settings: ModuleSettings): Promise<RawModule>;

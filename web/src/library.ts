@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+// The synchronous interface: the loaded module with its functions.
+import { call, type Health } from './call.js';
+import { checkBuildOptions, checkMesh, checkPolygonMesh } from './check-input.js';
+import { KdManifoldError } from './errors.js';
+import { Grid } from './grid.js';
+import type { RawGrid, RawModule } from './kdmanifold.js';
+import type {
+  BuildOptions,
+  MeshFormat,
+  MeshInput,
+  MeshReport,
+  ParsedMesh,
+  PolygonMeshInput,
+  ProgressOptions,
+} from './types.js';
+
+const formats: readonly string[] = ['obj', 'stl', 'ply', 'off'] satisfies MeshFormat[];
+
+/** The format that a file name's extension stands for (any case); throws `IO_ERROR` for others. */
+export function formatFromPath(path: string): MeshFormat {
+  const extension = /\.([^./\\]+)$/.exec(path)?.[1]?.toLowerCase() ?? '';
+  if (formats.includes(extension)) return extension as MeshFormat;
+  throw new KdManifoldError(
+    'IO_ERROR',
+    `${path}: unknown file type '${extension}', expected one of ${formats.join(', ')}`,
+  );
+}
+
+/** The library, loaded: everything happens on the calling thread and is done when it returns. */
+export class KdManifold {
+  readonly #raw: RawModule;
+  readonly #health: Health = { broken: false };
+  readonly #registry = new FinalizationRegistry<RawGrid>((raw) => {
+    if (!this.#health.broken) raw.delete();
+  });
+
+  /** @internal */
+  constructor(raw: RawModule) {
+    this.#raw = raw;
+  }
+
+  /** @internal Whether a trap has made this instance unusable. */
+  get broken(): boolean {
+    return this.#health.broken;
+  }
+
+  /** The version of the package. */
+  get version(): string {
+    return this.#raw.version();
+  }
+
+  /** Builds the grid of a closed, consistently oriented mesh; shells may overlap and nest. */
+  buildGrid(mesh: MeshInput, options: BuildOptions & ProgressOptions = {}): Grid {
+    const checked = checkBuildOptions(options, ['onProgress']);
+    const input = checkMesh(mesh);
+    const raw = call(this.#health, options.onProgress, (progress) =>
+      this.#raw.buildGrid(input, checked, progress),
+    );
+    return new Grid(raw, this.#registry, this.#health);
+  }
+
+  /** Counts what there is to be counted: parts, open edges, whether the mesh is 2-manifold. */
+  describe(mesh: PolygonMeshInput): MeshReport {
+    const input = checkPolygonMesh(mesh);
+    return call(this.#health, undefined, () => this.#raw.describe(input));
+  }
+
+  /** Reads a file's content; `name` is what error messages call it. */
+  parseMesh(
+    content: Uint8Array | ArrayBuffer | string,
+    format: MeshFormat,
+    name = 'input',
+  ): ParsedMesh {
+    checkFormat(format);
+    const bytes =
+      typeof content === 'string'
+        ? new TextEncoder().encode(content)
+        : ArrayBuffer.isView(content)
+          ? new Uint8Array(content.buffer, content.byteOffset, content.byteLength)
+          : new Uint8Array(content);
+    return call(this.#health, undefined, () => this.#raw.parseMesh(bytes, format, name));
+  }
+
+  /** The content of a file with the mesh (STL and PLY binary). */
+  formatMesh(mesh: PolygonMeshInput, format: MeshFormat): Uint8Array<ArrayBuffer> {
+    checkFormat(format);
+    const input = checkPolygonMesh(mesh);
+    return call(this.#health, undefined, () => this.#raw.formatMesh(input, format));
+  }
+
+  /** Bytes of the WebAssembly heap, which never shrinks, and bytes of it in use. */
+  memory(): { heapBytes: number; usedBytes: number } {
+    return this.#raw.memory();
+  }
+}
+
+function checkFormat(format: string): void {
+  if (formats.includes(format)) return;
+  throw new KdManifoldError(
+    'INVALID_OPTION',
+    `format: expected one of ${formats.join(', ')}, got '${format}'`,
+  );
+}

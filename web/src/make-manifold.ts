@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// The one call for most people.
+import { checkBuildOptions, checkExtractOptions, checkMesh } from './check-input.js';
+import { submit } from './client.js';
+import { buffersOf } from './convert.js';
+import { aborted, KdManifoldError } from './errors.js';
+import type { LoadOptions } from './load.js';
+import { buildOptions, extractOptions } from './options.js';
+import type {
+  BuildOptions,
+  Conversion,
+  ExtractOptions,
+  MeshInput,
+  ProgressOptions,
+} from './types.js';
+
+/** Everything that `makeManifold` can be told. */
+export interface MakeManifoldOptions
+  extends BuildOptions, ExtractOptions, ProgressOptions, LoadOptions {
+  /** Stops the conversion, which then rejects with `ABORTED`. */
+  signal?: AbortSignal;
+  /** Hand the mesh's arrays over instead of copying them; they are empty afterwards. */
+  transfer?: boolean;
+}
+
+const own = ['onProgress', 'signal', 'transfer', 'wasmBinary', 'wasmUrl'];
+
+/**
+ * Makes a closed, oriented 2-manifold mesh from a closed, oriented one whose shells may overlap,
+ * nest and intersect. Works in a worker (in Node: a worker thread), so the calling thread stays
+ * free; conversions are done one after the other. Where workers are not to be had it works on the
+ * calling thread.
+ */
+export async function makeManifold(
+  mesh: MeshInput,
+  options: MakeManifoldOptions = {},
+): Promise<Conversion> {
+  const build = checkBuildOptions(options, [...own, ...Object.keys(extractOptions)]);
+  const extract = checkExtractOptions(options, [...own, ...Object.keys(buildOptions)]);
+  const { onProgress, signal, transfer = false, wasmBinary, wasmUrl } = options;
+  if (typeof transfer !== 'boolean') refuse('transfer', 'true or false');
+  if (onProgress !== undefined && typeof onProgress !== 'function') {
+    refuse('onProgress', 'a function');
+  }
+  if (signal !== undefined && typeof signal?.addEventListener !== 'function') {
+    refuse('signal', 'an AbortSignal');
+  }
+  if (signal?.aborted) throw aborted(signal);
+  const input = separate(checkMesh(mesh), transfer);
+  return submit({
+    mesh: input,
+    transfer: buffersOf(input),
+    build,
+    extract,
+    source: { wasmBinary, wasmUrl },
+    signal,
+    onProgress,
+  });
+}
+
+function refuse(name: string, expected: string): never {
+  throw new KdManifoldError('INVALID_OPTION', `${name}: expected ${expected}`);
+}
+
+// Arrays that the worker may have: copies, so that the caller may go on changing what is his, or
+// his own. Only the part in view is sent, not the whole of a large buffer behind it.
+function separate(mesh: MeshInput, transfer: boolean): MeshInput {
+  const copy = <T extends Float32Array | Float64Array | Uint16Array | Uint32Array>(array: T): T => {
+    const whole = array.byteLength === array.buffer.byteLength && isTransferable(array.buffer);
+    return transfer && whole ? array : (array.slice() as T);
+  };
+  return {
+    positions: copy(mesh.positions),
+    indices: mesh.indices ? copy(mesh.indices) : null,
+    sourceFaces: mesh.sourceFaces ? copy(mesh.sourceFaces) : null,
+  };
+}
+
+function isTransferable(buffer: ArrayBufferLike): boolean {
+  return typeof SharedArrayBuffer !== 'function' || !(buffer instanceof SharedArrayBuffer);
+}

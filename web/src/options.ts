@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// The options as a table: the checks, the defaults and the command line all read it. A new option
+// is one line here, one in the interface in types.ts (the compiler sees to that) and one in
+// wasm/module.h.
+import type { BuildOptions, ExtractOptions } from './types.js';
+
+/** @internal What is legal for one option. `help` completes the line of the command line's help. */
+export type OptionSpec =
+  | { kind: 'choice'; values: readonly string[]; default: string; help: string }
+  | { kind: 'integer'; min: number; max: number; default: number; help: string }
+  | { kind: 'flag'; default: boolean; help: string };
+
+type Table<T> = { readonly [K in keyof Required<T>]: OptionSpec };
+
+/** @internal */
+export const buildOptions: Table<BuildOptions> = {
+  strategy: {
+    kind: 'choice',
+    values: ['octree', 'median', 'uniform'],
+    default: 'octree',
+    help: 'how cells are split',
+  },
+  depth: { kind: 'integer', min: 1, max: 60, default: 21, help: 'limit of the tree depth' },
+  inside: {
+    kind: 'choice',
+    values: ['positive', 'odd', 'nonzero'],
+    default: 'positive',
+    help: 'which winding numbers are inside',
+  },
+  pairing: {
+    kind: 'choice',
+    values: ['trace', 'hermite', 'inside', 'outside'],
+    default: 'trace',
+    help: 'how hits are linked on crowded faces',
+  },
+};
+
+/** @internal */
+export const extractOptions: Table<ExtractOptions> = {
+  quads: { kind: 'flag', default: false, help: 'write quads where four leaves meet' },
+  strict: { kind: 'flag', default: true, help: 'make the index mesh 2-manifold' },
+};

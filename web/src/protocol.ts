@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// What the two ends of the worker say to each other.
+import type { ErrorCode } from './errors.js';
+import type { BuildOptions, Conversion, ExtractOptions, MeshInput } from './types.js';
+
+/** To the worker: the compiled module once, then one conversion after the other. */
+export type Request =
+  | { type: 'start'; module: WebAssembly.Module }
+  | { type: 'convert'; mesh: MeshInput; build: BuildOptions; extract: ExtractOptions };
+
+/** From the worker: one `ready`, then for each conversion progress and one of the other two. */
+export type Reply =
+  | { type: 'ready' }
+  | { type: 'progress'; fraction: number; phase: string }
+  | { type: 'done'; conversion: Conversion }
+  | { type: 'failed'; code: ErrorCode; message: string };
+
+/** A worker of either kind, seen from outside. */
+export interface WorkerPort {
+  post(request: Request, transfer: ArrayBuffer[]): void;
+  /** Sets who hears replies and who hears of the worker's end. */
+  listen(onReply: (reply: Reply) => void, onDeath: (reason: string) => void): void;
+  /** Whether the worker keeps the process alive (Node only). */
+  hold(alive: boolean): void;
+  terminate(): void;
+}

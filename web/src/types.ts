@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+// What goes in and what comes out. The ranges and defaults of options are in options.ts.
+
+/** A mesh as the caller has it. */
+export interface MeshInput {
+  /** Coordinates, three per vertex. */
+  positions: Float32Array | Float64Array;
+  /** Vertex numbers, three per triangle, counter-clockwise seen from outside. Without them every
+   * three positions are a triangle; vertices of exactly equal position are joined anyway. */
+  indices?: Uint16Array | Uint32Array | null;
+  /** One number per triangle that `sourceFaces` of the result refers to; else the triangle's own. */
+  sourceFaces?: Uint32Array | null;
+}
+
+/** A mesh that may also have quads, as `Grid.extract` gives on request. */
+export interface PolygonMeshInput extends MeshInput {
+  /** Vertex numbers, four per quad. */
+  quads?: Uint32Array | null;
+}
+
+/** A mesh as the library gives it: copies that the caller owns. */
+export interface Mesh {
+  /** Coordinates, three per vertex. */
+  positions: Float32Array<ArrayBuffer>;
+  /** Vertex numbers, three per triangle, counter-clockwise seen from outside. */
+  indices: Uint32Array<ArrayBuffer>;
+  /** Vertex numbers, four per quad; only with the option `quads`, and only if there are any. */
+  quads?: Uint32Array<ArrayBuffer>;
+  /** The input face behind each face: one entry a triangle, then one a quad. */
+  sourceFaces: Uint32Array<ArrayBuffer>;
+}
+
+/** A mesh from a file; positions as precise as the file has them. */
+export interface ParsedMesh {
+  /** Coordinates, three per vertex. */
+  positions: Float64Array<ArrayBuffer>;
+  /** Vertex numbers, three per triangle. */
+  indices: Uint32Array<ArrayBuffer>;
+  /** The file's face (from 0) that each triangle was cut from. */
+  sourceFaces: Uint32Array<ArrayBuffer>;
+}
+
+/** The file formats that are read and written. */
+export type MeshFormat = 'obj' | 'stl' | 'ply' | 'off';
+
+/**
+ * Told how far a long call is: the fraction done (0 to 1, never falling) and the name of the step.
+ * Returning `false` stops the call, which then fails with `ABORTED`.
+ */
+export type ProgressCallback = (fraction: number, phase: string) => boolean | void;
+
+/** How a mesh becomes a grid. */
+export interface BuildOptions {
+  /**
+   * How cells are split:
+   * - `octree` (default): midpoints, x, y, z in turn, wherever the surface in a cell is not flat
+   * - `median`: median of triangle centres, until every triangle is hit by a grid edge
+   * - `uniform`: midpoints to the full depth wherever a cell meets the surface
+   */
+  strategy?: 'octree' | 'median' | 'uniform';
+  /** Limit of the tree's depth, 1 to 60, default 21; three levels halve a cell in each axis. */
+  depth?: number;
+  /**
+   * Which winding numbers are inside:
+   * - `positive` (default): above 0, the union of overlapping and nested shells
+   * - `odd`: odd ones
+   * - `nonzero`: all but 0
+   */
+  inside?: 'positive' | 'odd' | 'nonzero';
+  /**
+   * How hits are linked where a minimal face carries more than two:
+   * - `trace` (default): as the input's surface crosses the face
+   * - `hermite`: by the least deviation from the hits' tangents
+   * - `inside`, `outside`: the two fixed rules of the paper, for comparison
+   */
+  pairing?: 'trace' | 'hermite' | 'inside' | 'outside';
+}
+
+/** How a grid becomes a mesh. */
+export interface ExtractOptions {
+  /** Join the two triangles of an edge where four leaves meet to one quad (default false). */
+  quads?: boolean;
+  /** Make the result 2-manifold as an index mesh (default true). Off: the raw dual surface. */
+  strict?: boolean;
+}
+
+/** What a long synchronous call takes besides. */
+export interface ProgressOptions {
+  /** Called at bounded intervals, on the thread that works. */
+  onProgress?: ProgressCallback;
+}
+
+/** What the grid was built from. */
+export interface InputReport {
+  /** After joining vertices of exactly equal position. */
+  vertices: number;
+  triangles: number;
+  /** Every edge is used equally often in both directions. */
+  closed: boolean;
+  boundaryEdges: number;
+  /** Edges with three or more faces. */
+  nonManifoldEdges: number;
+  /** Faces without area on the lattice; they take no part. */
+  degenerateFaces: number;
+  /** Parts joined by edges. */
+  components: number;
+  /** The input was inside out and has been turned. */
+  flipped: boolean;
+  /** What positions were rounded to for decisions, in the model's units. */
+  latticeStep: number;
+}
+
+/** The size of a grid. */
+export interface GridStats {
+  /** Nodes of the kd-tree. */
+  cells: number;
+  leaves: number;
+  /** Intersections of the surface with grid edges. */
+  hits: number;
+  /** Depth of the deepest leaf. */
+  depth: number;
+  /** Memory that the grid holds. */
+  bytes: number;
+  /** Minimal faces with more than two hits. */
+  ambiguousFaces: number;
+  /** Of these, the ones that a trace of the input could not decide. */
+  guessedFaces: number;
+}
+
+/** What strictness cost. */
+export interface ExtractReport {
+  /** Parts without volume that were left out. */
+  droppedPillows: number;
+  /** Vertices added to keep edges apart. */
+  insertedVertices: number;
+}
+
+/** What `Grid.extract` gives. */
+export interface ExtractedMesh extends Mesh {
+  report: ExtractReport;
+}
+
+/** What can be said about a mesh; two faces meet where they use the same vertex numbers. */
+export interface MeshReport {
+  /** Positions, also unreferenced ones. */
+  vertices: number;
+  triangles: number;
+  quads: number;
+  unreferencedVertices: number;
+  /** Edges with one face. */
+  boundaryEdges: number;
+  /** Edges with three or more faces. */
+  nonManifoldEdges: number;
+  /** Edges whose two faces run the same way along it. */
+  misorientedEdges: number;
+  /** Vertices whose faces do not form one fan. */
+  nonManifoldVertices: number;
+  /** Faces with a repeated vertex. */
+  degenerateFaces: number;
+  /** Faces over the same vertices as an earlier one. */
+  duplicateFaces: number;
+  /** Parts joined by edges. */
+  components: number;
+  /** Referenced vertices - edges + faces. */
+  eulerCharacteristic: number;
+  /** No edge with one face, and at least one face. */
+  closed: boolean;
+  /** Closed, and none of the faults above. */
+  twoManifold: boolean;
+  /** Signed; positive where normals point outwards. */
+  volume: number;
+  area: number;
+  bounds: { min: Float64Array; max: Float64Array };
+}
+
+/** The part of `Report` about the result. */
+export interface OutputReport extends ExtractReport {
+  vertices: number;
+  triangles: number;
+  quads: number;
+  /** Parts joined by edges. */
+  components: number;
+  /** Vertices - edges + faces; 2 for a sphere, less 2 for every handle. */
+  eulerCharacteristic: number;
+  /** Closed, and every edge and every vertex is that of a surface, consistently oriented. */
+  twoManifold: boolean;
+  closed: boolean;
+}
+
+/** The account of one conversion. */
+export interface Report {
+  input: InputReport;
+  grid: GridStats;
+  output: OutputReport;
+  /** Wall-clock time of the steps. */
+  seconds: { build: number; extract: number };
+  /** Size of the WebAssembly heap, which never shrinks: the most that any call so far needed. */
+  peakBytes: number;
+}
+
+/** What `makeManifold` gives. */
+export interface Conversion {
+  mesh: Mesh;
+  report: Report;
+}

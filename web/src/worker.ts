@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// The worker's end of the protocol: a module worker in browsers, a worker thread in Node.
+import { buffersOf, convert } from './convert.js';
+import { isNode, nodeModule } from './environment.js';
+import { KdManifoldError } from './errors.js';
+import type { KdManifold } from './library.js';
+import { instantiate } from './load.js';
+import type { Reply, Request } from './protocol.js';
+
+// TypeScript has the types of a page or of a worker, never both.
+interface WorkerScope {
+  onmessage: (event: MessageEvent<Request>) => void;
+  postMessage(reply: Reply, transfer: ArrayBuffer[]): void;
+}
+
+type Post = (reply: Reply, transfer?: ArrayBuffer[]) => void;
+
+// Often enough for a smooth bar, seldom enough to cost nothing.
+const progressInterval = 30;
+
+function serve(post: Post): (request: Request) => Promise<void> {
+  let library: KdManifold | undefined;
+  return async (request) => {
+    try {
+      if (request.type === 'start') {
+        library = await instantiate(request.module);
+        post({ type: 'ready' });
+        return;
+      }
+      let reported = 0;
+      const { mesh, build, extract } = request;
+      const conversion = convert(library as KdManifold, mesh, build, extract, (fraction, phase) => {
+        const now = performance.now();
+        if (now - reported < progressInterval && fraction < 1) return;
+        reported = now;
+        post({ type: 'progress', fraction, phase });
+      });
+      post({ type: 'done', conversion }, buffersOf(conversion.mesh));
+    } catch (error) {
+      const known = error instanceof KdManifoldError;
+      post({
+        type: 'failed',
+        code: known ? error.code : 'INTERNAL',
+        message: known ? error.message : String(error),
+      });
+    }
+  };
+}
+
+if (isNode()) {
+  const { parentPort } = await nodeModule<typeof import('node:worker_threads')>('worker_threads');
+  const handle = serve((reply, transfer) => parentPort?.postMessage(reply, transfer));
+  parentPort?.on('message', (request: Request) => void handle(request));
+} else {
+  const scope = globalThis as unknown as WorkerScope;
+  const handle = serve((reply, transfer = []) => scope.postMessage(reply, transfer));
+  scope.onmessage = (event) => void handle(event.data);
+}
