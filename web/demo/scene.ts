@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: MIT
+// Two views of one space: one renderer, one camera, one set of controls, so they can never part.
+import {
+  BackSide,
+  BufferGeometry,
+  Color,
+  DirectionalLight,
+  Float32BufferAttribute,
+  HemisphereLight,
+  LineBasicMaterial,
+  LineSegments,
+  Mesh,
+  MeshBasicMaterial,
+  MeshStandardMaterial,
+  PerspectiveCamera,
+  Plane,
+  Scene,
+  Vector3,
+  WebGLRenderer,
+} from 'three';
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import type { PolygonMeshInput } from 'kdmanifold';
+import { toBufferGeometry } from 'kdmanifold/three';
+import { creases } from './creases';
+
+interface View {
+  element: HTMLElement;
+  scene: Scene;
+  drawn: Drawn[];
+}
+
+// The material's name says what the thing is there for.
+type Drawn =
+  | Mesh<BufferGeometry, MeshStandardMaterial | MeshBasicMaterial>
+  | LineSegments<BufferGeometry, LineBasicMaterial>;
+
+/** Which lines are drawn over the faces. */
+export interface Lines {
+  wireframe: boolean;
+  creases: boolean;
+}
+
+/** The 3D part of the page. */
+export class Stage {
+  readonly #renderer: WebGLRenderer;
+  readonly #camera = new PerspectiveCamera(35, 1, 0.01, 100);
+  readonly #controls: OrbitControls;
+  readonly #views: { input: View; output: View };
+  readonly #light = new DirectionalLight(0xffffff, 2.2);
+  // Faces beyond the plane are not drawn; the inside of the model shows its back faces' colour.
+  readonly #cut = new Plane(new Vector3(-1, 0, 0), 1);
+  readonly #host: HTMLElement;
+  readonly #lines: Lines = { wireframe: false, creases: true };
+  #centre = new Vector3();
+  #radius = 1;
+  #scheduled = false;
+
+  constructor(
+    host: HTMLElement,
+    canvas: HTMLCanvasElement,
+    input: HTMLElement,
+    output: HTMLElement,
+  ) {
+    this.#host = host;
+    this.#renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
+    this.#renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    this.#renderer.localClippingEnabled = true;
+    this.#renderer.setScissorTest(true);
+    this.#views = { input: makeView(input), output: makeView(output) };
+    this.#camera.add(this.#light);
+    this.#light.position.set(0.6, 1, 0.8);
+    this.#camera.up.set(0, 0, 1);
+    this.#controls = new OrbitControls(this.#camera, host);
+    this.#controls.addEventListener('change', () => this.draw());
+    host.addEventListener('keydown', (event) => this.#onKey(event));
+    new ResizeObserver(() => this.draw()).observe(host);
+    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.#recolour());
+    this.resetView();
+  }
+
+  /** Shows a mesh, or nothing; input decides where the camera looks. */
+  show(which: 'input' | 'output', mesh: PolygonMeshInput | null): void {
+    const view = this.#views[which];
+    for (const object of view.drawn) {
+      object.geometry.dispose();
+      object.material.dispose();
+      view.scene.remove(object);
+    }
+    view.drawn = [];
+    if (mesh !== null) {
+      const geometry = toBufferGeometry(mesh);
+      if (which === 'input') this.#frame(geometry);
+      view.drawn = this.#dress(geometry);
+      view.scene.add(...view.drawn);
+    }
+    this.#applyLines();
+    this.#recolour();
+  }
+
+  /** Switches lines on and off. */
+  setLines(lines: Lines): void {
+    Object.assign(this.#lines, lines);
+    this.#applyLines();
+    this.draw();
+  }
+
+  /** Cuts away a share (0 to 1) of the model from one side. */
+  setCut(share: number): void {
+    this.#cut.constant = this.#centre.x + this.#radius * (1.001 - 2 * share);
+    this.draw();
+  }
+
+  /** Turns back to where the camera was at first. */
+  resetView(): void {
+    const away = new Vector3(-0.9, -1.5, 0.95).normalize();
+    const distance = (this.#radius * 1.12) / Math.sin((this.#camera.fov * Math.PI) / 360);
+    this.#camera.position.copy(this.#centre).addScaledVector(away, distance);
+    this.#camera.near = distance / 100;
+    this.#camera.far = distance * 20;
+    this.#controls.target.copy(this.#centre);
+    this.#controls.update();
+    this.draw();
+  }
+
+  /** Draws with the next frame. */
+  draw(): void {
+    if (this.#scheduled) return;
+    this.#scheduled = true;
+    requestAnimationFrame(() => {
+      this.#scheduled = false;
+      this.#render();
+    });
+  }
+
+  #dress(geometry: BufferGeometry): Drawn[] {
+    const clippingPlanes = [this.#cut];
+    const offset = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };
+    const common = { flatShading: true, roughness: 0.7, clippingPlanes, ...offset };
+    const faces = new Mesh(geometry, new MeshStandardMaterial({ ...common, name: 'front' }));
+    const backs = new Mesh(
+      geometry,
+      new MeshStandardMaterial({ ...common, name: 'back', side: BackSide }),
+    );
+    const wires = new Mesh(
+      geometry,
+      new MeshBasicMaterial({ name: 'wire', wireframe: true, clippingPlanes }),
+    );
+    const positions = geometry.getAttribute('position').array;
+    const index =
+      geometry.getIndex()?.array ?? Uint32Array.from({ length: positions.length / 3 }, (_, i) => i);
+    const edges = new LineSegments(
+      new BufferGeometry().setAttribute(
+        'position',
+        new Float32BufferAttribute(creases(positions, index), 3),
+      ),
+      new LineBasicMaterial({ name: 'crease', clippingPlanes }),
+    );
+    return [faces, backs, wires, edges];
+  }
+
+  #frame(geometry: BufferGeometry): void {
+    geometry.computeBoundingSphere();
+    const sphere = geometry.boundingSphere;
+    if (sphere === null || !(sphere.radius > 0)) return;
+    this.#centre = sphere.center.clone();
+    this.#radius = sphere.radius;
+    this.resetView();
+  }
+
+  #applyLines(): void {
+    for (const { drawn } of Object.values(this.#views)) {
+      for (const object of drawn) {
+        const { name } = object.material;
+        if (name === 'wire') object.visible = this.#lines.wireframe;
+        if (name === 'crease') object.visible = this.#lines.creases;
+      }
+    }
+  }
+
+  #recolour(): void {
+    const dark = matchMedia('(prefers-color-scheme: dark)').matches;
+    const colours: Record<string, string> = dark
+      ? { front: '#7f9cbc', back: '#b4553f', wire: '#c9d8ea', crease: '#e8f0fa' }
+      : { front: '#9db6d3', back: '#d9694c', wire: '#32465c', crease: '#14202e' };
+    for (const { drawn } of Object.values(this.#views)) {
+      for (const { material } of drawn) material.color = new Color(colours[material.name]);
+    }
+    this.draw();
+  }
+
+  #render(): void {
+    const host = this.#host.getBoundingClientRect();
+    this.#renderer.setSize(host.width, host.height, false);
+    for (const { element, scene } of Object.values(this.#views)) {
+      const box = element.getBoundingClientRect();
+      const [left, bottom] = [box.left - host.left, host.bottom - box.bottom];
+      this.#renderer.setViewport(left, bottom, box.width, box.height);
+      this.#renderer.setScissor(left, bottom, box.width, box.height);
+      this.#camera.aspect = box.width / Math.max(box.height, 1);
+      this.#camera.updateProjectionMatrix();
+      // The light travels with the camera, which belongs to no scene for longer than one frame.
+      scene.add(this.#camera);
+      this.#renderer.render(scene, this.#camera);
+    }
+  }
+
+  #onKey(event: KeyboardEvent): void {
+    const turn: Record<string, [number, number]> = {
+      ArrowLeft: [0.1, 0],
+      ArrowRight: [-0.1, 0],
+      ArrowUp: [0, -0.1],
+      ArrowDown: [0, 0.1],
+    };
+    const zoom: Record<string, number> = { '+': 0.9, '=': 0.9, '-': 1.1 };
+    const offset = this.#camera.position.clone().sub(this.#controls.target);
+    const [around, over] = turn[event.key] ?? [0, 0];
+    const scale = zoom[event.key] ?? 1;
+    if (around === 0 && over === 0 && scale === 1) return;
+    event.preventDefault();
+    const { z } = offset;
+    const flat = Math.hypot(offset.x, offset.y);
+    const tilt = Math.min(1.5, Math.max(-1.5, Math.atan2(z, flat) + over * -1));
+    const heading = Math.atan2(offset.y, offset.x) + around;
+    const length = offset.length() * scale;
+    offset.set(
+      length * Math.cos(tilt) * Math.cos(heading),
+      length * Math.cos(tilt) * Math.sin(heading),
+      length * Math.sin(tilt),
+    );
+    this.#camera.position.copy(this.#controls.target).add(offset);
+    this.#controls.update();
+    this.draw();
+  }
+}
+
+function makeView(element: HTMLElement): View {
+  const scene = new Scene();
+  scene.add(new HemisphereLight(0xffffff, 0x8090a4, 1.5));
+  return { element, scene, drawn: [] };
+}
