@@ -193,9 +193,12 @@ class AdaptiveRule : public SplitRule {
     }
     const Vec3 vertex = quadric.minimiser_in(Vec3(box.lo[0], box.lo[1], box.lo[2]),
                                              Vec3(box.hi[0], box.hi[1], box.hi[2]));
-    for (const PlannedHit& hit : hits_) {
-      if (hit.piece != piece) continue;
-      if (std::abs(hit.plane->normal.dot(vertex) - hit.plane->offset) > tolerance_) return false;
+    // Splits of neighbours may yet put hits on any of the piece's triangles.
+    const std::span<const Index> members = analysis_.members();
+    for (std::size_t m = 0; m < members.size(); ++m) {
+      if (analysis_.piece_of(m) != piece) continue;
+      const Plane& plane = surface_.planes[members[m]];
+      if (std::abs(plane.normal.dot(vertex) - plane.offset) > tolerance_) return false;
     }
     return near_piece(vertex, piece);
   }
