@@ -12,8 +12,9 @@
 
 namespace kdm::wasm {
 
-inline constexpr std::array<Named<SplitStrategy>, 3> kStrategies = {
-    {{"octree", SplitStrategy::kOctree},
+inline constexpr std::array<Named<SplitStrategy>, 4> kStrategies = {
+    {{"adaptive", SplitStrategy::kAdaptive},
+     {"octree", SplitStrategy::kOctree},
      {"median", SplitStrategy::kMedian},
      {"uniform", SplitStrategy::kUniform}}};
 inline constexpr std::array<Named<InsideRule>, 3> kInsideRules = {
@@ -32,6 +33,8 @@ inline constexpr std::array<Named<MeshFormat>, 4> kFormats = {{{"obj", MeshForma
 inline BuildOptions to_build_options(const val& from) {
   BuildOptions options;
   read(from, "strategy", options.strategy, kStrategies);
+  read(from, "tolerance", options.tolerance);
+  read(from, "relativeTolerance", options.relative_tolerance);
   read(from, "depth", options.depth);
   read(from, "inside", options.inside, kInsideRules);
   read(from, "pairing", options.pairing, kPairings);
@@ -60,6 +63,7 @@ inline val from_input_report(const InputReport& report) {
   to.set("boundaryEdges", report.boundary_edges);
   to.set("nonManifoldEdges", report.non_manifold_edges);
   to.set("degenerateFaces", report.degenerate_faces);
+  to.set("cancelledFaces", report.cancelled_faces);
   to.set("components", report.components);
   to.set("flipped", report.flipped);
   to.set("latticeStep", report.lattice_step);
@@ -73,6 +77,8 @@ inline val from_grid_stats(const GridStats& stats) {
   to.set("hits", stats.hits);
   to.set("depth", stats.depth);
   to.set("bytes", stats.bytes);
+  to.set("topologyResolved", stats.topology_resolved);
+  to.set("unresolvedLeaves", stats.unresolved_leaves);
   to.set("ambiguousFaces", stats.ambiguous_faces);
   to.set("guessedFaces", stats.guessed_faces);
   return to;

@@ -11,7 +11,7 @@ import {
 import { samples } from './models';
 import {
   element,
-  explainDepth,
+  explainSize,
   readLines,
   readOptions,
   showBusy,
@@ -109,7 +109,7 @@ async function save(format: MeshFormat): Promise<void> {
 }
 
 function convertSoon(): void {
-  explainDepth();
+  explainSize();
   clearTimeout(settling);
   settling = window.setTimeout(() => void convert(), settleMilliseconds);
 }
@@ -135,7 +135,7 @@ function connect(): void {
   });
   element('panel').addEventListener('submit', (event) => event.preventDefault());
 
-  element('depth').addEventListener('input', convertSoon);
+  for (const id of ['depth', 'tolerance']) element(id).addEventListener('input', convertSoon);
   for (const id of ['strategy', 'inside', 'pairing', 'quads']) {
     element(id).addEventListener('change', convertSoon);
   }
@@ -165,5 +165,5 @@ function connect(): void {
 }
 
 connect();
-explainDepth();
+explainSize();
 takeSample();

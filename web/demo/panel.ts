@@ -18,7 +18,9 @@ export function readOptions(): BuildOptions & ExtractOptions {
   const choice = (id: string): string => element<HTMLSelectElement>(id).value;
   return {
     strategy: choice('strategy') as BuildOptions['strategy'],
-    depth: element<HTMLInputElement>('depth').valueAsNumber,
+    ...(byTolerance()
+      ? { relativeTolerance: readTolerance() }
+      : { depth: element<HTMLInputElement>('depth').valueAsNumber }),
     inside: choice('inside') as BuildOptions['inside'],
     pairing: choice('pairing') as BuildOptions['pairing'],
     quads: element<HTMLInputElement>('quads').checked,
@@ -33,15 +35,31 @@ export function readLines(): Lines {
   };
 }
 
-/** Says what the depth means. */
-export function explainDepth(): void {
+// Two strategies are told how exact to be, the others how deep to go.
+function byTolerance(): boolean {
+  return ['adaptive', 'octree'].includes(element<HTMLSelectElement>('strategy').value);
+}
+
+// The slider is logarithmic.
+function readTolerance(): number {
+  return Number((10 ** element<HTMLInputElement>('tolerance').valueAsNumber).toPrecision(2));
+}
+
+/** Shows the control that counts for the strategy and says what it means. */
+export function explainSize(): void {
   const depth = element<HTMLInputElement>('depth').valueAsNumber;
+  const tolerance = `${decimal.format(readTolerance() * 100)} %`;
+  element('tolerance-row').hidden = !byTolerance();
+  element('depth-row').hidden = byTolerance();
+  element('tolerance-value').textContent = tolerance;
   element('depth-value').textContent = String(depth);
-  const cells = Math.round(2 ** (depth / 3));
-  element('depth-hint').textContent =
-    element<HTMLSelectElement>('strategy').value === 'median'
+  const cells = number.format(Math.round(2 ** (depth / 3)));
+  const strategy = element<HTMLSelectElement>('strategy').value;
+  element('size-hint').textContent = byTolerance()
+    ? `The result stays within ${tolerance} of the model's diagonal.`
+    : strategy === 'median'
       ? 'At most so many splits on the way to a cell.'
-      : `About ${number.format(cells)} cells along each axis at the finest.`;
+      : `${cells} cells along each axis.`;
 }
 
 /** Names the input and gives its size. */
@@ -95,6 +113,7 @@ export function showResult({ report }: Conversion): void {
     ['Leaves', number.format(grid.leaves)],
     ['Hits', number.format(grid.hits)],
     ['Depth reached', number.format(grid.depth)],
+    ['Topology resolved', grid.topologyResolved ? 'yes' : 'not known'],
     ['Grid', `${decimal.format(grid.bytes / 2 ** 20)} MB`],
     ['Heap', `${decimal.format(report.peakBytes / 2 ** 20)} MB`],
   ]);
@@ -133,6 +152,7 @@ function inputFacts(input: InputReport): [string, string][] {
     ['Parts', number.format(input.components)],
     ['Closed', yes(input.closed)],
     ['Non-manifold edges', number.format(input.nonManifoldEdges)],
+    ['Back-to-back faces', number.format(input.cancelledFaces)],
     ['Faces without area', number.format(input.degenerateFaces)],
     ['Lattice step', decimal.format(input.latticeStep)],
   ];

@@ -96,6 +96,11 @@ function checkOption(name: string, value: unknown, spec: OptionSpec): void {
         refuse(`a whole number from ${spec.min} to ${spec.max}`);
       }
       break;
+    case 'number':
+      if (!Number.isFinite(value) || (value as number) < spec.min) {
+        refuse(`a finite number not below ${spec.min}`);
+      }
+      break;
     case 'flag':
       if (typeof value !== 'boolean') refuse('true or false');
       break;

@@ -47,6 +47,8 @@ export function convert(
           eulerCharacteristic: described.eulerCharacteristic,
           twoManifold: described.twoManifold,
           closed: described.closed,
+          volume: described.volume,
+          area: described.area,
           ...report,
         },
         seconds: { build: (built - started) / 1000, extract: (extracted - built) / 1000 },

@@ -7,7 +7,8 @@ import type { BuildOptions, ExtractOptions } from './types.js';
 /** @internal What is legal for one option. `help` completes the line of the command line's help. */
 export type OptionSpec =
   | { kind: 'choice'; values: readonly string[]; default: string; help: string }
-  | { kind: 'integer'; min: number; max: number; default: number; help: string }
+  | { kind: 'integer'; min: number; max: number; default: number | undefined; help: string }
+  | { kind: 'number'; min: number; default: number; help: string }
   | { kind: 'flag'; default: boolean; help: string };
 
 type Table<T> = { readonly [K in keyof Required<T>]: OptionSpec };
@@ -16,11 +17,29 @@ type Table<T> = { readonly [K in keyof Required<T>]: OptionSpec };
 export const buildOptions: Table<BuildOptions> = {
   strategy: {
     kind: 'choice',
-    values: ['octree', 'median', 'uniform'],
-    default: 'octree',
+    values: ['adaptive', 'octree', 'median', 'uniform'],
+    default: 'adaptive',
     help: 'how cells are split',
   },
-  depth: { kind: 'integer', min: 1, max: 60, default: 21, help: 'limit of the tree depth' },
+  tolerance: {
+    kind: 'number',
+    min: 0,
+    default: 0,
+    help: 'distance from the input in model units; 0: the relative one counts',
+  },
+  relativeTolerance: {
+    kind: 'number',
+    min: 0,
+    default: 0.001,
+    help: "the same as a fraction of the bounding box's diagonal",
+  },
+  depth: {
+    kind: 'integer',
+    min: 1,
+    max: 60,
+    default: undefined,
+    help: "limit of the tree's depth",
+  },
   inside: {
     kind: 'choice',
     values: ['positive', 'odd', 'nonzero'],

@@ -53,12 +53,26 @@ export type ProgressCallback = (fraction: number, phase: string) => boolean | vo
 export interface BuildOptions {
   /**
    * How cells are split:
-   * - `octree` (default): midpoints, x, y, z in turn, wherever the surface in a cell is not flat
+   * - `adaptive` (default): until the surface is met within the tolerance and its topology resolved
+   * - `octree`: the same, but at midpoints, x, y, z in turn
    * - `median`: median of triangle centres, until every triangle is hit by a grid edge
    * - `uniform`: midpoints to the full depth wherever a cell meets the surface
    */
-  strategy?: 'octree' | 'median' | 'uniform';
-  /** Limit of the tree's depth, 1 to 60, default 21; three levels halve a cell in each axis. */
+  strategy?: 'adaptive' | 'octree' | 'median' | 'uniform';
+  /**
+   * `adaptive` and `octree`: how far the result may be from the input, in the model's units. At 0
+   * (default) `relativeTolerance` counts instead.
+   */
+  tolerance?: number;
+  /**
+   * The same as a fraction of the diagonal of the input's bounding box, default 0.001. At 0 all
+   * that is not flat is split down to the depth limit.
+   */
+  relativeTolerance?: number;
+  /**
+   * Limit of the tree's depth, 1 to 60; three levels halve a cell in each axis. Left out: 18 for
+   * `uniform` (64 cells an axis), else 60, a safety net.
+   */
   depth?: number;
   /**
    * Which winding numbers are inside:
@@ -102,6 +116,8 @@ export interface InputReport {
   nonManifoldEdges: number;
   /** Faces without area on the lattice; they take no part. */
   degenerateFaces: number;
+  /** Faces that lie back to back in pairs; they take no part. */
+  cancelledFaces: number;
   /** Parts joined by edges. */
   components: number;
   /** The input was inside out and has been turned. */
@@ -121,6 +137,13 @@ export interface GridStats {
   depth: number;
   /** Memory that the grid holds. */
   bytes: number;
+  /**
+   * `adaptive` and `octree`: no leaf was given up and no face was guessed; the result of an embedded
+   * input then has its topology. The others do not look: false.
+   */
+  topologyResolved: boolean;
+  /** Leaves given up at the depth limit or below the size floor. */
+  unresolvedLeaves: number;
   /** Minimal faces with more than two hits. */
   ambiguousFaces: number;
   /** Of these, the ones that a trace of the input could not decide. */
@@ -185,6 +208,8 @@ export interface OutputReport extends ExtractReport {
   /** Closed, and every edge and every vertex is that of a surface, consistently oriented. */
   twoManifold: boolean;
   closed: boolean;
+  volume: number;
+  area: number;
 }
 
 /** The account of one conversion. */

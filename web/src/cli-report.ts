@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// The account of one run of the command line, word for word as src/cli/report.cpp writes it.
+import type { Command } from './cli-options.js';
+import type { ExtractReport, GridStats, InputReport, MeshReport } from './types.js';
+
+/** What is reported. */
+export interface CliReport {
+  input: InputReport;
+  grid: GridStats;
+  output: MeshReport & ExtractReport;
+  seconds: { read: number; build: number; extract: number; write?: number };
+  peakBytes: number;
+}
+
+/** `input`, `grid`, `output`, with --check also `check`, then `seconds` and `peakBytes`. */
+export function reportAsJson(report: CliReport, command: Command): string {
+  const { output } = report;
+  const json = {
+    input: report.input,
+    grid: report.grid,
+    output: {
+      vertices: output.vertices,
+      triangles: output.triangles,
+      quads: output.quads,
+      components: output.components,
+      eulerCharacteristic: output.eulerCharacteristic,
+      twoManifold: output.twoManifold,
+      closed: output.closed,
+      volume: output.volume,
+      area: output.area,
+      droppedPillows: output.droppedPillows,
+      insertedVertices: output.insertedVertices,
+    },
+    check: command.check ? checkOf(output) : undefined,
+    seconds: report.seconds,
+    peakBytes: report.peakBytes,
+  };
+  return `${JSON.stringify(json, null, 2)}\n`;
+}
+
+// What --check looked for.
+function checkOf(output: MeshReport): object {
+  return {
+    twoManifold: output.twoManifold,
+    closed: output.closed,
+    boundaryEdges: output.boundaryEdges,
+    nonManifoldEdges: output.nonManifoldEdges,
+    misorientedEdges: output.misorientedEdges,
+    nonManifoldVertices: output.nonManifoldVertices,
+    degenerateFaces: output.degenerateFaces,
+    duplicateFaces: output.duplicateFaces,
+  };
+}
+
+/** A few lines for people. */
+export function reportAsText(report: CliReport, command: Command): string {
+  const { input, grid, output, seconds } = report;
+  const faces =
+    output.quads === 0
+      ? `${output.triangles} triangles`
+      : `${output.triangles} triangles and ${output.quads} quads`;
+  const lines = [
+    `input    ${command.input}: ${input.vertices} vertices, ${input.triangles} triangles, ` +
+      `${input.components} parts` +
+      (input.degenerateFaces === 0
+        ? ''
+        : `, ${input.degenerateFaces} faces without area left out`) +
+      (input.flipped ? ', turned inside out' : ''),
+    `grid     ${command.build.strategy ?? 'adaptive'}, depth ${grid.depth}: ${grid.cells} cells, ` +
+      `${grid.hits} hits, ${(grid.bytes / 1e6).toFixed(1)} MB`,
+    `output   ${command.output === undefined ? '' : `${command.output}: `}` +
+      `${output.vertices} vertices, ${faces}, ${output.components} parts, ` +
+      `Euler characteristic ${output.eulerCharacteristic}, ` +
+      (output.twoManifold ? 'closed 2-manifold' : 'not 2-manifold'),
+  ];
+  if (command.check) {
+    lines.push(
+      output.twoManifold
+        ? 'check    passed: 2-manifold'
+        : `check    FAILED: ${output.boundaryEdges} boundary, ${output.nonManifoldEdges} ` +
+            `non-manifold, ${output.misorientedEdges} misoriented edges, ` +
+            `${output.nonManifoldVertices} non-manifold vertices, ${output.degenerateFaces} ` +
+            `degenerate, ${output.duplicateFaces} duplicate faces`,
+    );
+  }
+  const time = (value = 0): string => value.toFixed(3);
+  lines.push(
+    `seconds  read ${time(seconds.read)}, build ${time(seconds.build)}, ` +
+      `extract ${time(seconds.extract)}, write ${time(seconds.write)}`,
+  );
+  return `${lines.join('\n')}\n`;
+}
