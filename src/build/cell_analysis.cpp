@@ -58,7 +58,7 @@ void CellAnalysis::find_pieces(const LatticeBox& box, std::span<const ListEntry>
     if (!triangle_meets_box(surface_.triangles[entry.triangle], box)) continue;
     local_[entry.triangle] = static_cast<Index>(members_.size());
     members_.push_back(entry.triangle);
-    bounds_.push_back(entry.bounds);
+    bounds_.push_back({entry.lo, entry.hi});
   }
   subset_.clear();
   for (Index m = 0; m < members_.size(); ++m) subset_.push_back(m);

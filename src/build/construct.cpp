@@ -137,11 +137,10 @@ class Construction {
     for (std::vector<Crossing>& crossings : crossings_) crossings.clear();
     for (const Index i : lists_.straddlers()) {
       const ListEntry& entry = lists_.entry(i);
-      const LatticeBox& bounds = entry.bounds;
-      if (bounds.lo[v] == box.lo[v]) cross(entry.triangle, u, box.lo[v], split.value, box, 0);
-      if (bounds.hi[u] == box.hi[u]) cross(entry.triangle, v, split.value, box.hi[u], box, 1);
-      if (bounds.hi[v] == box.hi[v]) cross(entry.triangle, u, box.hi[v], split.value, box, 2);
-      if (bounds.lo[u] == box.lo[u]) cross(entry.triangle, v, split.value, box.lo[u], box, 3);
+      if (entry.lo[v] == box.lo[v]) cross(entry.triangle, u, box.lo[v], split.value, box, 0);
+      if (entry.hi[u] == box.hi[u]) cross(entry.triangle, v, split.value, box.hi[u], box, 1);
+      if (entry.hi[v] == box.hi[v]) cross(entry.triangle, u, box.hi[v], split.value, box, 2);
+      if (entry.lo[u] == box.lo[u]) cross(entry.triangle, v, split.value, box.lo[u], box, 3);
     }
     // The corner at the low end of each edge, on the splitting face.
     const std::array<int, 4> low_corner{0, 1 << u, 1 << v, 0};

@@ -27,64 +27,71 @@ class MedianRule : public SplitRule {
     met_.assign(surface.triangles.size(), 0);
     centres_.reserve(surface.triangles.size());
     for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
+      if (surface.degenerate[i] != 0) continue;
       const LatticeTriangle& t = surface.triangles[i];
-      LatticePoint centre{};
-      for (int k = 0; k < 3; ++k) centre[k] = (t[0][k] + t[1][k] + t[2][k]) / 3;
+      Centre centre{{}, static_cast<Index>(i)};
+      for (int k = 0; k < 3; ++k) centre.point[k] = (t[0][k] + t[1][k] + t[2][k]) / 3;
       centres_.push_back(centre);
-      if (surface.degenerate[i] == 0) order_.push_back(static_cast<Index>(i));
     }
   }
 
-  RuleRange root() override { return {0, static_cast<Index>(order_.size())}; }
+  RuleRange root() override { return {0, static_cast<Index>(centres_.size())}; }
 
   std::optional<Split> choose(const CellView& cell) override {
     if (cell.depth >= depth_) return std::nullopt;
-    const LatticeBox& box = cell.box;
-    const auto begin = order_.begin() + cell.range.begin;
-    const auto end = order_.begin() + cell.range.end;
-    if (std::all_of(begin, end, [&](Index t) { return met_[t] != 0; })) return std::nullopt;
+    const auto begin = centres_.begin() + cell.range.begin;
+    const auto end = centres_.begin() + cell.range.end;
+    if (std::all_of(begin, end, [&](const Centre& c) { return met_[c.triangle] != 0; })) {
+      return std::nullopt;
+    }
     // Axes in order of the spread of the centres, then of the box.
-    LatticeBox spread{centres_[*begin], centres_[*begin]};
+    LatticeBox spread{begin->point, begin->point};
     for (auto i = begin; i != end; ++i) {
       for (int k = 0; k < 3; ++k) {
-        spread.lo[k] = std::min(spread.lo[k], centres_[*i][k]);
-        spread.hi[k] = std::max(spread.hi[k], centres_[*i][k]);
+        spread.lo[k] = std::min(spread.lo[k], i->point[k]);
+        spread.hi[k] = std::max(spread.hi[k], i->point[k]);
       }
     }
     std::array<int, 3> axes{0, 1, 2};
     std::sort(axes.begin(), axes.end(), [&](int a, int b) {
       const auto key = [&](int k) {
-        return std::array<std::int32_t, 3>{spread.hi[k] - spread.lo[k], box.hi[k] - box.lo[k], -k};
+        return std::array<std::int32_t, 3>{spread.hi[k] - spread.lo[k],
+                                           cell.box.hi[k] - cell.box.lo[k], -k};
       };
       return key(a) > key(b);
     });
     for (const int axis : axes) {
       const auto middle = begin + (end - begin) / 2;
-      std::nth_element(begin, middle, end, [&](Index a, Index b) {
-        return std::pair(centres_[a][axis], a) < std::pair(centres_[b][axis], b);
+      std::nth_element(begin, middle, end, [axis](const Centre& a, const Centre& b) {
+        return a.point[axis] != b.point[axis] ? a.point[axis] < b.point[axis]
+                                              : a.triangle < b.triangle;
       });
-      const std::int32_t value = centres_[*middle][axis];
-      if (value > box.lo[axis] && value < box.hi[axis]) return Split{axis, value};
+      const std::int32_t value = middle->point[axis];
+      if (value > cell.box.lo[axis] && value < cell.box.hi[axis]) return Split{axis, value};
     }
     return std::nullopt;
   }
 
   std::array<RuleRange, 2> divide(RuleRange range, const Split& split) override {
-    const auto begin = order_.begin() + range.begin;
-    const auto end = order_.begin() + range.end;
-    const auto cut =
-        std::partition(begin, end, [&](Index t) { return centres_[t][split.axis] < split.value; });
-    const auto middle = static_cast<Index>(cut - order_.begin());
+    const auto begin = centres_.begin() + range.begin;
+    const auto end = centres_.begin() + range.end;
+    const auto cut = std::partition(
+        begin, end, [&](const Centre& c) { return c.point[split.axis] < split.value; });
+    const auto middle = static_cast<Index>(cut - centres_.begin());
     return {RuleRange{range.begin, middle}, RuleRange{middle, range.end}};
   }
 
   void on_crossing(Index triangle) override { met_[triangle] = 1; }
 
  private:
+  struct Centre {
+    LatticePoint point;
+    Index triangle;
+  };
+
   int depth_;
-  std::vector<LatticePoint> centres_;
-  std::vector<Index> order_;
-  std::vector<char> met_;
+  std::vector<Centre> centres_;  // each cell's are consecutive
+  std::vector<char> met_;        // per triangle
 };
 
 }  // namespace

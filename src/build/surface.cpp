@@ -233,7 +233,8 @@ Surface prepare_surface(const Mesh& mesh) {
   surface.corners = std::move(faces.triangles);
   surface.source_faces = std::move(faces.source);
   surface.report.vertices = static_cast<Index>(points.size());
-  surface.report.triangles = static_cast<Index>(kept) + repeated_corners + surface.report.cancelled_faces;
+  surface.report.triangles =
+      static_cast<Index>(kept) + repeated_corners + surface.report.cancelled_faces;
   surface.report.closed = true;
   surface.report.degenerate_faces = repeated_corners + without_area;
   surface.report.lattice_step = surface.lattice.step;

@@ -14,80 +14,83 @@ namespace {
 // list may hold a triangle too many, never one too few.
 constexpr double kSlack = 1e-3;
 
-struct RealBounds {
-  std::array<double, 3> lo;
-  std::array<double, 3> hi;
+// Lattice coordinates are not negative, so truncation rounds down.
+std::int32_t round_down(double x) { return static_cast<std::int32_t>(x - kSlack); }
+std::int32_t round_up(double x) { return static_cast<std::int32_t>(x + kSlack) + 1; }
 
-  void add(const std::array<double, 3>& p) {
-    for (int i = 0; i < 3; ++i) {
-      lo[i] = std::min(lo[i], p[i]);
-      hi[i] = std::max(hi[i], p[i]);
-    }
-  }
-};
-
-constexpr double kFar = 4.0 * kLatticeSize;
-constexpr RealBounds kNothing{{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}};
-
-// Intersects `box` with `bounds`, outwards; false if nothing is left.
-bool shrink(LatticeBox& box, const RealBounds& bounds) {
-  for (int i = 0; i < 3; ++i) {
-    box.lo[i] = std::max(box.lo[i], static_cast<std::int32_t>(std::floor(bounds.lo[i] - kSlack)));
-    box.hi[i] = std::min(box.hi[i], static_cast<std::int32_t>(std::ceil(bounds.hi[i] + kSlack)));
-    if (box.lo[i] > box.hi[i]) return false;
-  }
-  return true;
-}
-
-// May the triangle's plane meet the box?
-bool plane_meets(const std::array<double, 3>& normal, const LatticePoint& point,
-                 const LatticeBox& box) {
+// May the triangle's plane meet the bounds?
+bool plane_meets(const LatticeTriangle& t, const ListEntry& part) {
+  const auto normal = area_vector(t);
   double middle = 0;
   double reach = 0;
   double size = 0;
   for (int i = 0; i < 3; ++i) {
-    middle += normal[i] * (0.5 * (box.lo[i] + box.hi[i]) - point[i]);
-    reach += std::abs(normal[i]) * (0.5 * (box.hi[i] - box.lo[i]));
-    size += std::abs(normal[i]);
+    const auto n = static_cast<double>(normal[i]);
+    middle += n * (0.5 * (part.lo[i] + part.hi[i]) - t[0][i]);
+    reach += std::abs(n) * (0.5 * (part.hi[i] - part.lo[i]));
+    size += std::abs(n);
   }
   return std::abs(middle) <= reach + kSlack * size;
+}
+
+// Is there a part? A corner within the bounds proves it; else the plane must meet them.
+bool meets(const LatticeTriangle& t, const ListEntry& part) {
+  for (int i = 0; i < 3; ++i) {
+    if (part.lo[i] > part.hi[i]) return false;
+  }
+  for (const LatticePoint& p : t) {
+    bool within = true;
+    for (int i = 0; i < 3; ++i) within &= p[i] >= part.lo[i] && p[i] <= part.hi[i];
+    if (within) return true;
+  }
+  return plane_meets(t, part);
 }
 
 }  // namespace
 
 TriangleLists::TriangleLists(const std::vector<LatticeTriangle>& triangles)
     : triangles_(triangles) {
-  arena_.reserve(3 * triangles.size());
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    const LatticeTriangle& t = triangles[i];
-    ListEntry entry{static_cast<Index>(i), {t[0], t[0]}};
+  make_room(3 * triangles.size());
+  for (const LatticeTriangle& t : triangles) {
+    ListEntry& entry = arena_[all_];
+    entry.triangle = all_++;
     for (int k = 0; k < 3; ++k) {
-      entry.bounds.lo[k] = std::min({t[0][k], t[1][k], t[2][k]});
-      entry.bounds.hi[k] = std::max({t[0][k], t[1][k], t[2][k]});
+      entry.lo[k] = std::min({t[0][k], t[1][k], t[2][k]});
+      entry.hi[k] = std::max({t[0][k], t[1][k], t[2][k]});
     }
-    arena_.push_back(entry);
   }
-  all_ = static_cast<Index>(arena_.size());
+  size_ = all_;
+}
+
+void TriangleLists::make_room(std::size_t entries) {
+  if (size_ + entries <= capacity_) return;
+  const std::size_t capacity = std::max(size_ + entries, 2 * capacity_);
+  std::unique_ptr<ListEntry[]> larger(new ListEntry[capacity]);
+  std::copy(arena_.get(), arena_.get() + size_, larger.get());
+  arena_ = std::move(larger);
+  capacity_ = capacity;
 }
 
 TriangleLists::Children TriangleLists::divide(ListRange parent, int axis, std::int32_t value) {
   straddlers_.clear();
   above_.clear();
-  const auto first_below = static_cast<Index>(arena_.size());
+  make_room(2 * std::size_t{parent.size()});
+  const Index first_below = size_;
   for (Index i = parent.begin; i < parent.end; ++i) {
-    const ListEntry entry = arena_[i];  // a copy: the arena may move
-    if (entry.bounds.hi[axis] <= value) {
-      arena_.push_back(entry);
-    } else if (entry.bounds.lo[axis] > value) {
+    const ListEntry& entry = arena_[i];
+    if (entry.hi[axis] <= value) {
+      arena_[size_++] = entry;
+    } else if (entry.lo[axis] > value) {
       above_.push_back(entry);
     } else {
       straddlers_.push_back(i);
       divide_straddler(entry, axis, value);
     }
   }
-  const auto first_above = static_cast<Index>(arena_.size());
-  arena_.insert(arena_.end(), above_.begin(), above_.end());
-  return {{first_below, first_above}, {first_above, static_cast<Index>(arena_.size())}};
+  const Index first_above = size_;
+  std::copy(above_.begin(), above_.end(), arena_.get() + size_);
+  size_ += static_cast<Index>(above_.size());
+  return {{first_below, first_above}, {first_above, size_}};
 }
 
 // The part on each side lies within the bounds of the triangle's corners on that side and of the
@@ -96,36 +99,46 @@ void TriangleLists::divide_straddler(const ListEntry& entry, int axis, std::int3
   const LatticeTriangle& t = triangles_[entry.triangle];
   const int u = next_axis(axis);
   const int v = previous_axis(axis);
-  RealBounds below = kNothing;
-  RealBounds above = kNothing;
+  constexpr std::int32_t kFar = 4 * kLatticeSize;
+  std::array<LatticePoint, 2> lo{{{kFar, kFar, kFar}, {kFar, kFar, kFar}}};  // below, above
+  std::array<LatticePoint, 2> hi{{{-kFar, -kFar, -kFar}, {-kFar, -kFar, -kFar}}};
+  const auto add = [&](int side, int k, std::int32_t low, std::int32_t high) {
+    lo[side][k] = std::min(lo[side][k], low);
+    hi[side][k] = std::max(hi[side][k], high);
+  };
   for (int i = 0; i < 3; ++i) {
     const LatticePoint& a = t[i];
     const LatticePoint& b = t[i == 2 ? 0 : i + 1];
-    const std::array<double, 3> corner{static_cast<double>(a[0]), static_cast<double>(a[1]),
-                                       static_cast<double>(a[2])};
-    if (a[axis] <= value) below.add(corner);
-    if (a[axis] >= value) above.add(corner);
-    if ((a[axis] < value && b[axis] > value) || (a[axis] > value && b[axis] < value)) {
-      const double s = static_cast<double>(value - a[axis]) / (b[axis] - a[axis]);
-      std::array<double, 3> crossing{};
-      crossing[axis] = value;
-      crossing[u] = a[u] + s * (b[u] - a[u]);
-      crossing[v] = a[v] + s * (b[v] - a[v]);
-      below.add(crossing);
-      above.add(crossing);
+    for (int side = 0; side < 2; ++side) {
+      if (side == 0 ? a[axis] > value : a[axis] < value) continue;
+      for (int k = 0; k < 3; ++k) add(side, k, a[k], a[k]);
+    }
+    if ((a[axis] < value) == (b[axis] < value) || a[axis] == value || b[axis] == value) continue;
+    const double s = static_cast<double>(value - a[axis]) / (b[axis] - a[axis]);
+    for (const int k : {u, v}) {
+      const double crossing = a[k] + s * (b[k] - a[k]);
+      const std::int32_t low = round_down(crossing);
+      const std::int32_t high = round_up(crossing);
+      add(0, k, low, high);
+      add(1, k, low, high);
     }
   }
-  ListEntry low = entry;
-  low.bounds.hi[axis] = value;
-  ListEntry high = entry;
-  high.bounds.lo[axis] = value;
-  const bool in_low = shrink(low.bounds, below);
-  const bool in_high = shrink(high.bounds, above);
-  const auto area = area_vector(t);
-  const std::array<double, 3> normal{static_cast<double>(area[0]), static_cast<double>(area[1]),
-                                     static_cast<double>(area[2])};
-  if (in_low && plane_meets(normal, t[0], low.bounds)) arena_.push_back(low);
-  if (in_high && plane_meets(normal, t[0], high.bounds)) above_.push_back(high);
+  for (int side = 0; side < 2; ++side) {
+    ListEntry part;
+    part.triangle = entry.triangle;
+    for (int k = 0; k < 3; ++k) {
+      part.lo[k] = std::max(lo[side][k], entry.lo[k]);
+      part.hi[k] = std::min(hi[side][k], entry.hi[k]);
+    }
+    if (side == 0) part.hi[axis] = value;
+    if (side == 1) part.lo[axis] = value;
+    if (!meets(t, part)) continue;
+    if (side == 0) {
+      arena_[size_++] = part;
+    } else {
+      above_.push_back(part);
+    }
+  }
 }
 
 }  // namespace kdm

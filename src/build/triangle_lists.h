@@ -3,6 +3,7 @@
 // clipped polygons down; we hand down numbers and the bounds of the clipped part).
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -11,10 +12,12 @@
 
 namespace kdm {
 
-/// A triangle's part in a cell: bounds that hold the part, rounded outwards.
+/// A triangle's part in a cell: bounds that hold the part, rounded outwards. Left uninitialised by
+/// default, since the arena makes many at once.
 struct ListEntry {
   Index triangle;
-  LatticeBox bounds;
+  LatticePoint lo;
+  LatticePoint hi;
 };
 
 /// Entries of a cell: [begin, end) of the arena.
@@ -31,7 +34,7 @@ class TriangleLists {
 
   ListRange all() const { return {0, all_}; }
   std::span<const ListEntry> entries(ListRange range) const {
-    return {arena_.data() + range.begin, range.size()};
+    return {arena_.get() + range.begin, range.size()};
   }
 
   const ListEntry& entry(Index i) const { return arena_[i]; }
@@ -43,18 +46,21 @@ class TriangleLists {
     ListRange above;
   };
   Children divide(ListRange parent, int axis, std::int32_t value);
-  void release(ListRange below) { arena_.resize(below.begin); }
+  void release(ListRange below) { size_ = below.begin; }
 
   /// Numbers of arena entries of the last divided cell that reach both sides of the plane: the
   /// only ones that can meet the splitting face. Valid until the next `divide`.
   std::span<const Index> straddlers() const { return straddlers_; }
 
  private:
+  void make_room(std::size_t entries);
   void divide_straddler(const ListEntry& entry, int axis, std::int32_t value);
 
   const std::vector<LatticeTriangle>& triangles_;
-  std::vector<ListEntry> arena_;
-  std::vector<ListEntry> above_;
+  std::unique_ptr<ListEntry[]> arena_;
+  std::size_t capacity_ = 0;
+  Index size_ = 0;
+  std::vector<ListEntry> above_;  // of the cell being divided
   std::vector<Index> straddlers_;
   Index all_ = 0;
 };
