@@ -148,11 +148,31 @@ bool Triangulator::is_spike(Index tip) const {
          (a.u - b.u) * (c.u - b.u) + (a.v - b.v) * (c.v - b.v) >= 0;
 }
 
-void Triangulator::remove(Index corner) {
-  next_[previous_[corner]] = next_[corner];
-  previous_[next_[corner]] = previous_[corner];
-  next_[corner] = kNone;
+void Triangulator::clip(Index tip) {
+  *out_++ = {corners_[previous_[tip]], corners_[tip], corners_[next_[tip]]};
+  next_[previous_[tip]] = next_[tip];
+  previous_[next_[tip]] = previous_[tip];
+  next_[tip] = kNone;
   --left_;
+}
+
+// From `first` on, until `enough` corners in a row are none.
+bool Triangulator::clip_spikes(Index first, std::size_t enough) {
+  bool found = false;
+  Index tip = first;
+  for (std::size_t in_a_row = 0; in_a_row < enough && left_ > 3;) {
+    if (is_spike(tip)) {
+      const Index before = previous_[tip];  // may have become one
+      clip(tip);
+      tip = before;
+      in_a_row = 0;
+      found = true;
+    } else {
+      tip = next_[tip];
+      ++in_a_row;
+    }
+  }
+  return found;
 }
 
 void Triangulator::cut(const std::vector<Vec3>& positions, const Index* corners, std::size_t count,
@@ -164,6 +184,8 @@ void Triangulator::cut(const std::vector<Vec3>& positions, const Index* corners,
     out[1] = {corners[0], corners[2], corners[3]};
     return;
   }
+  corners_ = corners;
+  out_ = out;
   left_ = count;
   next_.resize(count);
   previous_.resize(count);
@@ -171,40 +193,41 @@ void Triangulator::cut(const std::vector<Vec3>& positions, const Index* corners,
     next_[i] = i + 1 == count ? 0 : i + 1;
     previous_[i] = i == 0 ? static_cast<Index>(count - 1) : i - 1;
   }
+  effort_ = 0;
+  // Spikes go first, for what looks like an ear at the foot of one lies outside.
+  clip_spikes(0, count);
+  fill_buckets();
+
   // From the cleanest rule to "anything goes", which only polygons that cut themselves need.
-  enum Rule { kCleanEar, kSpike, kTouchedEar, kAnything };
+  enum Rule { kCleanEar, kTouchedEar, kAnything };
   int rule = kCleanEar;
   std::size_t refused = 0;
   Index tip = 1;
-  effort_ = 0;
-  fill_buckets();
+  while (next_[tip] == kNone) tip = tip == 0 ? static_cast<Index>(count - 1) : tip - 1;
   while (left_ > 3) {
     const bool tired = effort_ > kMostEffort * count;
     if (tired) rule = kAnything;
-    const bool take = rule == kCleanEar     ? is_ear(tip, false)
-                      : rule == kSpike      ? is_spike(tip)
-                      : rule == kTouchedEar ? is_ear(tip, true)
-                                            : true;
-    const Index after = next_[tip];
-    if (take) {
-      *out++ = {corners[previous_[tip]], corners[tip], corners[after]};
-      remove(tip);
-      // Other rules may make corners less convex.
-      const bool changed = rule == kSpike || rule == kAnything;
+    if (rule == kAnything || is_ear(tip, rule == kTouchedEar)) {
+      const Index before = previous_[tip];
+      clip(tip);
+      // Spikes and anything may leave corners less convex than they were.
+      const bool changed = clip_spikes(before, 2) || rule == kAnything;
       if (left_ * 2 < left_when_filled_ || (changed && !tired)) fill_buckets();
       rule = kCleanEar;
       refused = 0;
       // Not the neighbour: every other corner first, which gives rounder triangles than a fan.
-      tip = next_[after];
+      tip = before;
+      while (next_[tip] == kNone) tip = previous_[tip];
+      tip = next_[next_[tip]];
     } else {
-      tip = after;
+      tip = next_[tip];
       if (++refused == left_) {
         ++rule;
         refused = 0;
       }
     }
   }
-  *out = {corners[previous_[tip]], corners[tip], corners[next_[tip]]};
+  clip(tip);
 }
 
 }  // namespace kdm

@@ -33,11 +33,14 @@ class Triangulator {
   bool blocks(Index other, Index a, Index b, Index c, bool touching_allowed) const;
   bool enters(Index other, Index corner, Index from, Index to) const;
   bool is_spike(Index tip) const;
-  void remove(Index corner);
+  void clip(Index tip);
+  bool clip_spikes(Index first, std::size_t enough);
   void fill_buckets();
   std::size_t column(double u) const;
   std::size_t row(double v) const;
 
+  const Index* corners_ = nullptr;
+  Triangle* out_ = nullptr;
   std::vector<Point> points_;
   std::vector<Index> next_, previous_;  // the ring of corners that are left; kNone: removed
   std::size_t left_ = 0;
