@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// Reading and writing STL.
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <limits>
+
+#include "kdmanifold/mesh_io.h"
+#include "support/io_fixtures.h"
+
+namespace kdm {
+namespace {
+
+using io_test::parse_fault;
+
+Mesh parse(std::string_view bytes) { return parse_mesh(bytes, MeshFormat::kStl); }
+std::string fault(std::string_view bytes) { return parse_fault(bytes, MeshFormat::kStl); }
+
+std::string binary() { return format_mesh(io_test::pyramid(), MeshFormat::kStl); }
+
+const char* const kAscii =
+    "solid a name\n facet normal 0 0 1\n  outer loop\n   vertex 0 0 0\n   vertex 1 0 0\n"
+    "   vertex 0 1.5 0\n  endloop\n endfacet\n"
+    " FACET NORMAL nan nan nan\n  OUTER LOOP\n   VERTEX 0 0 0\n   VERTEX 1 0 0\n"
+    "   VERTEX 0 0 -2e-1\n  ENDLOOP\n ENDFACET\nendsolid a name\n";
+
+TEST(StlRead, Binary) {
+  const std::string bytes = binary();
+  EXPECT_EQ(bytes.size(), 84u + 6 * 50u);
+  const Mesh mesh = parse(bytes);
+  ASSERT_EQ(mesh.triangles.size(), 6u);
+  EXPECT_EQ(mesh.positions.size(), 18u);
+  EXPECT_EQ(mesh.source_faces, (std::vector<Index>{0, 1, 2, 3, 4, 5}));
+  EXPECT_EQ(mesh.positions[mesh.triangles[1][1]], Vec3(1, 1.5, 0));
+  EXPECT_EQ(mesh.positions[mesh.triangles[0][2]].z(), double{-1e-7f});
+}
+
+TEST(StlRead, BinaryThatBeginsWithSolid) {
+  std::string bytes = binary();
+  std::memcpy(bytes.data(), "solid", 5);
+  EXPECT_EQ(parse(bytes).triangles.size(), 6u);
+  // With bytes behind the last facet, too: the count is no text.
+  EXPECT_EQ(parse(bytes + "appendix").triangles.size(), 6u);
+}
+
+TEST(StlRead, Ascii) {
+  const Mesh mesh = parse(kAscii);
+  ASSERT_EQ(mesh.triangles.size(), 2u);
+  EXPECT_EQ(mesh.positions.size(), 6u);
+  EXPECT_EQ(mesh.positions[5], Vec3(0, 0, -0.2));
+  EXPECT_EQ(mesh.triangles[1], (Triangle{3, 4, 5}));
+  // Several solids in one file, and one without facets.
+  EXPECT_EQ(parse(std::string(kAscii) + "\n" + kAscii).triangles.size(), 4u);
+  EXPECT_TRUE(parse("solid\nendsolid\n").triangles.empty());
+}
+
+TEST(StlRead, FaultsNameTheLineOrByte) {
+  EXPECT_EQ(fault(""),
+            "in: byte 0: 1 x STL header of 84 bytes should follow, but the file ends at "
+            "byte 0");
+  EXPECT_EQ(fault(binary().substr(0, 300)),
+            "in: byte 84: 6 x STL facet of 50 bytes should follow, but the file ends at byte 300");
+  std::string bytes = binary();
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  std::memcpy(bytes.data() + 84 + 50 + 12 + 16, &nan, 4);
+  EXPECT_EQ(fault(bytes), "in: byte 162: coordinate y of facet 1 is not a finite number");
+  // A count that nothing backs must not be allocated.
+  bytes = binary();
+  std::memcpy(bytes.data() + 80, "\xff\xff\xff\xff", 4);
+  EXPECT_EQ(fault(bytes),
+            "in: byte 84: 4294967295 x STL facet of 50 bytes should follow, but the "
+            "file ends at byte 384");
+  EXPECT_EQ(fault("solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0\n"),
+            "in: line 4: the line ends where coordinate z is expected");
+  EXPECT_EQ(fault("solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 inf\n"),
+            "in: line 4: coordinate z is 'inf', which is not a finite number");
+  EXPECT_EQ(fault("solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 1\nendloop\n"),
+            "in: line 5: a facet needs three vertices, this one has 1");
+  EXPECT_EQ(fault("solid x\nface\n"), "in: line 2: 'facet' is expected, not 'face'");
+  EXPECT_EQ(fault("solid x\n"), "in: line 2: the file ends where 'facet' is expected");
+}
+
+TEST(StlRead, EveryBeginningAndEveryChangedByte) {
+  const std::string bytes = binary();
+  EXPECT_EQ(io_test::refused_beginnings(bytes, MeshFormat::kStl), bytes.size());
+  const Mesh small = {io_test::pyramid().positions, {{0, 1, 4}}, {}, {}};
+  io_test::try_changed_bytes(format_mesh(small, MeshFormat::kStl), MeshFormat::kStl);
+  // Only the last "endsolid a name\n" may be cut short without a complaint, after the keyword.
+  const std::string text = kAscii;
+  EXPECT_EQ(io_test::refused_beginnings(text, MeshFormat::kStl), text.size() - 8);
+  io_test::try_changed_bytes(text, MeshFormat::kStl);
+}
+
+TEST(StlWrite, NormalsHeaderAndQuads) {
+  const std::string bytes = binary();
+  EXPECT_EQ(bytes.substr(0, 10), "kdmanifold");
+  EXPECT_EQ(bytes.substr(80, 4), std::string("\x06\0\0\0", 4));
+  float normal[3];
+  std::memcpy(normal, bytes.data() + 84 + 4 * 50, sizeof normal);  // the base: both facets down
+  EXPECT_EQ(normal[0], 0);
+  EXPECT_EQ(normal[1], 0);
+  EXPECT_EQ(normal[2], -1);
+  const Mesh flat = {{{1, 1, 1}, {2, 2, 2}, {3, 3, 3}}, {{0, 1, 2}}, {}, {}};
+  const std::string zero = format_mesh(flat, MeshFormat::kStl);
+  EXPECT_EQ(zero.substr(84, 12), std::string(12, '\0'));
+}
+
+// Positions come as doubles natively and as floats from JavaScript: the same file must come out.
+TEST(StlWrite, DependsOnFloatsOnly) {
+  Mesh exact = io_test::pyramid();
+  for (Vec3& p : exact.positions) p += Vec3(0.1, 0.7, 0.3);
+  Mesh rounded = exact;
+  for (Vec3& p : rounded.positions) {
+    for (int axis = 0; axis < 3; ++axis) {
+      volatile const float value = static_cast<float>(p[axis]);
+      p[axis] = double{value};
+    }
+  }
+  EXPECT_EQ(format_mesh(exact, MeshFormat::kStl), format_mesh(rounded, MeshFormat::kStl));
+}
+
+}  // namespace
+}  // namespace kdm
