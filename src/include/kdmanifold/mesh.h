@@ -20,24 +20,28 @@ struct Mesh {
 };
 
 /// Counts over the mesh as an index mesh: two faces meet where they use the same vertex numbers.
+/// Degenerate faces are counted and take no part in edges, fans, duplicates, components and
+/// the Euler characteristic.
 struct MeshReport {
   Index vertices = 0;  ///< positions, also unreferenced ones
   Index triangles = 0;
   Index quads = 0;
   Index unreferenced_vertices = 0;
-  Index boundary_edges = 0;      ///< edges with one face
-  Index non_manifold_edges = 0;  ///< edges with three or more faces
-  Index misoriented_edges = 0;   ///< edges whose two faces run the same way along it
-  Index non_manifold_vertices = 0;  ///< vertices whose faces do not form one fan
-  Index degenerate_faces = 0;       ///< faces with a repeated vertex
-  Index duplicate_faces = 0;        ///< faces over the same vertices as an earlier one
-  Index components = 0;             ///< parts joined by edges
+  Index boundary_edges = 0;               ///< edges with one face
+  Index non_manifold_edges = 0;           ///< edges with three or more faces
+  Index misoriented_edges = 0;            ///< edges whose two faces run the same way along it
+  Index non_manifold_vertices = 0;        ///< vertices whose faces do not form one fan; the ends of
+                                          ///< non-manifold edges are among them
+  Index degenerate_faces = 0;             ///< faces with a repeated vertex
+  Index duplicate_faces = 0;              ///< faces over the same vertices as an earlier one
+  Index components = 0;                   ///< parts joined by edges
   std::int64_t euler_characteristic = 0;  ///< referenced vertices - edges + faces
-  bool closed = false;        ///< no edge with one face, and at least one face
-  bool two_manifold = false;  ///< closed, and none of the faults above
-  double volume = 0;          ///< signed; positive where normals point outwards
-  double area = 0;
-  Box bounds;
+  bool closed = false;                    ///< no edge with one face, and at least one face
+  bool two_manifold = false;              ///< closed, and none of the faults above
+  double volume = 0;  ///< signed, positive where normals point outwards; means nothing
+                      ///< unless the mesh is closed and oriented
+  double area = 0;    ///< a quad counts as its two triangles at the corners 0 and 2
+  Box bounds;         ///< of the referenced vertices
 };
 
 /// Counts everything above. Linear in the faces up to sorting. Throws `kInvalidMesh` if a face

@@ -9,23 +9,34 @@
 
 namespace kdm {
 
-enum class MeshFormat { kObj, kStl, kPly, kOff };
+enum class MeshFormat {
+  kObj,  ///< Wavefront OBJ: `v` and `f`, anything else is ignored
+  kStl,  ///< STL, binary or ASCII; written binary
+  kPly,  ///< PLY, ASCII or binary of either byte order; written binary little endian
+  kOff   ///< OFF in text, also with colours or normals
+};
 
 /// The format that a file name's extension stands for (any case). Throws `kIoError` for others.
 MeshFormat format_from_path(std::string_view path);
 
-/// Reads a mesh from a file. Polygons are cut into triangles, concave ones properly; only
-/// geometry is read (no materials, no colours, groups are ignored). STL facets come as three
-/// vertices each. Throws `kIoError` if the file cannot be read and `kParseError`, with the line
-/// or byte, if its content is malformed.
+/// Reads a mesh from a file. Polygons are cut into triangles over their own corners, concave ones
+/// properly; faces with fewer than three corners are left out (an error in OBJ). Only geometry is
+/// read (no materials, no colours, groups are ignored). STL facets come as three vertices each. A
+/// file without faces gives a mesh without faces. Linear in the bytes; files of 4 GiB and more are
+/// refused. Throws `kIoError` if the file cannot be read, `kParseError`, with the line or byte, if
+/// its content is malformed (an index out of range, a coordinate that is not finite, an end too
+/// early), and `kOutOfMemory`.
 Mesh read_mesh(const std::string& path);
 
 /// The same from memory; `name` is what error messages call the source.
 Mesh parse_mesh(std::string_view bytes, MeshFormat format, std::string_view name = "input");
 
-/// Writes a mesh; the extension decides the format (STL and PLY binary). Positions are written
-/// so that reading them back as 32-bit floats gives the 32-bit value of each coordinate.
-/// The file appears complete or not at all. Throws `kIoError`.
+/// Writes a mesh; the extension decides the format. Positions are written as 32-bit floats, in
+/// text as the shortest decimal that stands for the float; the same mesh gives the same bytes on
+/// every platform. Quads stay quads, in STL they become two triangles. The file appears complete or
+/// not at all: it is written under another name beside its place. Throws `kIoError`, and
+/// `kInvalidMesh` if a coordinate is not finite in 32 bits or a face names a vertex that does not
+/// exist.
 void write_mesh(const std::string& path, const Mesh& mesh);
 
 /// The same into memory.
