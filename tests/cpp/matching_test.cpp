@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+// The cheapest non-crossing pairing against all of them.
+#include "build/matching.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "support/random.h"
+
+namespace kdm {
+namespace {
+
+using Matching = std::vector<Index>;
+
+// Every way to pair the points open[0], open[1], ... without crossings: the first takes any partner
+// that leaves an even number on both sides.
+void enumerate(const std::vector<std::pair<Index, Index>>& open, Matching& partner,
+               std::vector<Matching>& all) {
+  std::vector<std::pair<Index, Index>> rest = open;
+  while (!rest.empty() && rest.back().first == rest.back().second) rest.pop_back();
+  if (rest.empty()) {
+    all.push_back(partner);
+    return;
+  }
+  const auto [begin, end] = rest.back();
+  rest.pop_back();
+  for (Index j = begin + 1; j < end; j += 2) {
+    partner[begin] = j;
+    partner[j] = begin;
+    std::vector<std::pair<Index, Index>> next = rest;
+    next.emplace_back(begin + 1, j);
+    next.emplace_back(j + 1, end);
+    enumerate(next, partner, all);
+  }
+}
+
+std::vector<Matching> all_matchings(Index count) {
+  std::vector<Matching> all;
+  Matching partner(count, kNone);
+  enumerate({{0, count}}, partner, all);
+  return all;
+}
+
+double total(const Matching& partner, const std::vector<double>& cost) {
+  double sum = 0;
+  for (Index i = 0; i < partner.size(); ++i) {
+    if (partner[i] > i) sum += cost[i * partner.size() + partner[i]];
+  }
+  return sum;
+}
+
+void expect_valid(const Matching& partner) {
+  for (Index i = 0; i < partner.size(); ++i) {
+    ASSERT_LT(partner[i], partner.size());
+    ASSERT_EQ(partner[partner[i]], i);
+    ASSERT_EQ((partner[i] + i) % 2, 1u) << "an even number lies between";
+    for (Index k = 0; k < partner.size(); ++k) {
+      const auto within = [&](Index p) {
+        return p > std::min(i, partner[i]) && p < std::max(i, partner[i]);
+      };
+      if (k == i || k == partner[i]) continue;
+      ASSERT_EQ(within(k), within(partner[k])) << "no two pairs cross";
+    }
+  }
+}
+
+TEST(Matching, TheEnumerationFindsCatalanNumbers) {
+  EXPECT_EQ(all_matchings(0).size(), 1u);
+  EXPECT_EQ(all_matchings(2).size(), 1u);
+  EXPECT_EQ(all_matchings(4).size(), 2u);
+  EXPECT_EQ(all_matchings(6).size(), 5u);
+  EXPECT_EQ(all_matchings(8).size(), 14u);
+}
+
+TEST(Matching, IsTheCheapestOfAll) {
+  check::Random random(1);
+  for (const Index count : {2u, 4u, 6u, 8u}) {
+    const std::vector<Matching> all = all_matchings(count);
+    for (int round = 0; round < 500; ++round) {
+      // Costs spread evenly, few values (ties), and some forbidding ones.
+      std::vector<double> cost(count * count);
+      for (double& c : cost) {
+        c = round % 3 == 0 ? random.unit() : random.below(4);
+        if (round % 3 == 2 && random.below(5) == 0) c = 1e30;
+      }
+      const Matching partner = match_without_crossings(count, [&](Index i, Index j) {
+        EXPECT_LT(i, j);
+        EXPECT_LT(j, count);
+        return cost[i * count + j];
+      });
+      ASSERT_EQ(partner.size(), count);
+      expect_valid(partner);
+      double least = std::numeric_limits<double>::infinity();
+      for (const Matching& m : all) least = std::min(least, total(m, cost));
+      ASSERT_NEAR(total(partner, cost), least, 1e-12 * least + 1e-12)
+          << count << " points, round " << round;
+    }
+  }
+}
+
+TEST(Matching, EveryMatchingCanBeChosen) {
+  for (const Index count : {2u, 4u, 6u, 8u}) {
+    for (const Matching& wanted : all_matchings(count)) {
+      const Matching partner = match_without_crossings(
+          count, [&](Index i, Index j) { return wanted[i] == j ? 0.0 : 1.0; });
+      EXPECT_EQ(partner, wanted);
+    }
+  }
+}
+
+TEST(Matching, WorksForNoneAndForMany) {
+  EXPECT_TRUE(match_without_crossings(0, [](Index, Index) { return 0.0; }).empty());
+  check::Random random(2);
+  const Matching partner = match_without_crossings(64, [&](Index, Index) { return random.unit(); });
+  ASSERT_EQ(partner.size(), 64u);
+  expect_valid(partner);
+}
+
+TEST(Matching, InfiniteCostsStillGiveAMatching) {
+  const Matching partner = match_without_crossings(
+      6, [](Index, Index) { return std::numeric_limits<double>::infinity(); });
+  ASSERT_EQ(partner.size(), 6u);
+  expect_valid(partner);
+}
+
+}  // namespace
+}  // namespace kdm
