@@ -16,23 +16,32 @@ void require(bool condition, const char* rule, std::size_t where) {
   }
 }
 
-void validate_cells(const GridData& grid, const std::vector<LatticeBox>& boxes) {
+// The numbers of children and axes, before anything follows them.
+void validate_cells(const GridData& grid) {
   require(grid.cells.size() % 2 == 1, "there is a root and two cells a split", grid.cells.size());
   std::vector<char> is_child(grid.cells.size(), 0);
   for (std::size_t c = 0; c < grid.cells.size(); ++c) {
     const Cell& cell = grid.cells[c];
     if (cell.leaf()) continue;
-    require(cell.below() > c && cell.above() < grid.cells.size(), "children follow their cell", c);
+    require(cell.below() > c && cell.below() < grid.cells.size() - 1, "children follow their cell",
+            c);
     require(cell.below() % 2 == 1, "children are adjacent, the lower one odd", c);
     require(cell.axis() < 3, "a split has an axis", c);
-    require(cell.value() > boxes[c].lo[cell.axis()] && cell.value() < boxes[c].hi[cell.axis()],
-            "a split lies strictly inside its cell", c);
     for (const Index child : {cell.below(), cell.above()}) {
       require(is_child[child] == 0, "a cell has one parent", child);
       is_child[child] = 1;
     }
   }
   for (std::size_t c = 1; c < is_child.size(); ++c) require(is_child[c] != 0, "no cell is lost", c);
+}
+
+void validate_splits(const GridData& grid, const std::vector<LatticeBox>& boxes) {
+  for (std::size_t c = 0; c < grid.cells.size(); ++c) {
+    const Cell& cell = grid.cells[c];
+    if (cell.leaf()) continue;
+    require(cell.value() > boxes[c].lo[cell.axis()] && cell.value() < boxes[c].hi[cell.axis()],
+            "a split lies strictly inside its cell", c);
+  }
 }
 
 // Hits ascend, lie on their edge, alternate, and carry the right flags.
@@ -45,7 +54,9 @@ void validate_edges(const GridData& grid, const std::vector<LatticeBox>& boxes) 
     if (cell.leaf()) continue;
     for (int i = 0; i < 4; ++i) {
       const Index edge = 4 * cell.split() + static_cast<Index>(i);
-      require(grid.edge_begin[edge] <= grid.edge_begin[edge + 1], "edges' hits are in order", edge);
+      require(grid.edge_begin[edge] <= grid.edge_begin[edge + 1] &&
+                  grid.edge_begin[edge + 1] <= grid.hits.size(),
+              "edges' hits are in order", edge);
       const int axis = axis_of_edge(cell.axis(), i);
       for (Index h = grid.edge_begin[edge]; h < grid.edge_begin[edge + 1]; ++h) {
         const Hit& hit = grid.hits[h];
@@ -121,8 +132,9 @@ class FaceValidation {
 }  // namespace
 
 void validate(const GridData& grid) {
+  validate_cells(grid);
   const std::vector<LatticeBox> boxes = cell_boxes(grid);
-  validate_cells(grid, boxes);
+  validate_splits(grid, boxes);
   validate_edges(grid, boxes);
   require(grid.opposite.size() == 3 * grid.hits.size() && grid.start.size() == grid.opposite.size(),
           "a hit has three half-edges", grid.opposite.size());
