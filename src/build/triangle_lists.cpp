@@ -111,7 +111,10 @@ void TriangleLists::divide_straddler(const ListEntry& entry, int axis, std::int3
     const LatticePoint& b = t[i == 2 ? 0 : i + 1];
     for (int side = 0; side < 2; ++side) {
       if (side == 0 ? a[axis] > value : a[axis] < value) continue;
-      for (int k = 0; k < 3; ++k) add(side, k, a[k], a[k]);
+      // The plane lies infinitely little above its value: from a corner on it, the part below
+      // extends a little along the sides that rise.
+      const std::int32_t reach = side == 0 && a[axis] == value ? 1 : 0;
+      for (int k = 0; k < 3; ++k) add(side, k, a[k] - reach, a[k] + reach);
     }
     if ((a[axis] < value) == (b[axis] < value) || a[axis] == value || b[axis] == value) continue;
     const double s = static_cast<double>(value - a[axis]) / (b[axis] - a[axis]);
