@@ -2,9 +2,11 @@
 // The table of options and its reading by CLI11.
 #include "cli/options.h"
 
+#include <fast_float/fast_float.h>
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <functional>
 #include <iterator>
 #include <vector>
@@ -18,7 +20,8 @@ struct Word {
   Value value;
 };
 
-constexpr Word<SplitStrategy> kStrategies[] = {{"octree", SplitStrategy::kOctree},
+constexpr Word<SplitStrategy> kStrategies[] = {{"adaptive", SplitStrategy::kAdaptive},
+                                               {"octree", SplitStrategy::kOctree},
                                                {"median", SplitStrategy::kMedian},
                                                {"uniform", SplitStrategy::kUniform}};
 constexpr Word<InsideRule> kInsideRules[] = {{"positive", InsideRule::kPositive},
@@ -40,8 +43,10 @@ const char* find_word(const Word<Value> (&words)[kCount], Value value) {
 template <typename Value, std::size_t kCount>
 std::string joined(const Word<Value> (&words)[kCount], const char* separator) {
   std::string text;
-  for (const Word<Value>& word : words)
-    text += (text.empty() ? "" : separator) + std::string(word.word);
+  for (const Word<Value>& word : words) {
+    if (!text.empty()) text += separator;
+    text += word.word;
+  }
   return text;
 }
 
@@ -74,7 +79,7 @@ ValueOption choice(const char* name, const Word<Value> (&words)[kCount], Value& 
 }
 
 ValueOption whole_number(const char* name, int low, int high, int& target, const char* help) {
-  return {name, "N", fmt::format("{}, {} to {} ({})", help, low, high, target),
+  return {name, "N", fmt::format("{}, {} to {}", help, low, high),
           [=, &target](const std::string& text) -> std::string {
             int number = 0;
             const bool digits = !text.empty() && text.size() < 9 &&
@@ -89,9 +94,26 @@ ValueOption whole_number(const char* name, int low, int high, int& target, const
           }};
 }
 
+ValueOption not_negative(const char* name, const char* letter, double& target, const char* help) {
+  return {name, letter, help, [=, &target](const std::string& text) -> std::string {
+            double number = 0;
+            const char* const end = text.data() + text.size();
+            const auto [rest, error] = fast_float::from_chars(text.data(), end, number);
+            if (error != std::errc() || rest != end || !std::isfinite(number) || number < 0) {
+              return fmt::format("{}: '{}' is no number from 0 on", name, text);
+            }
+            target = number;
+            return "";
+          }};
+}
+
 std::vector<ValueOption> value_options(Command& command) {
   return {
       choice("--strategy", kStrategies, command.build.strategy, "how cells are split"),
+      not_negative("--tolerance", "T", command.build.tolerance,
+                   "distance from the input in model units; 0: the relative one counts (0)"),
+      not_negative("--relative-tolerance", "R", command.build.relative_tolerance,
+                   "the same as a fraction of the bounding box's diagonal (0.001)"),
       whole_number("--depth", 1, 60, command.build.depth, "limit of the tree's depth"),
       choice("--inside", kInsideRules, command.build.inside, "which winding numbers are inside"),
       choice("--pairing", kPairings, command.build.pairing,
@@ -111,7 +133,6 @@ std::vector<Flag> flags(Command& command) {
   };
 }
 
-// CLI11 wraps messages of its own around those of validators; only ours is wanted, on one line.
 std::string one_line(std::string text) {
   for (char& c : text) {
     if (c == '\n' || c == '\r') c = ' ';
@@ -133,8 +154,9 @@ Command parse_command(int argc, const char* const* argv) {
       "kdmanifold");
   app.add_option("INPUT", command.input, "the mesh to convert")->required()->type_name("");
   app.add_option("-o,--output", command.output, "where the result goes")->type_name("FILE");
+  // Not by CLI11's validators, which wrap messages of their own around ours.
   std::string fault;
-  // Both lists must live until the arguments have been read.
+  // The list must live until the arguments have been read.
   const std::vector<ValueOption> values = value_options(command);
   for (const ValueOption& option : values) {
     app.add_option_function<std::string>(

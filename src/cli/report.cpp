@@ -18,6 +18,7 @@ Json input_json(const InputReport& input) {
           {"boundaryEdges", input.boundary_edges},
           {"nonManifoldEdges", input.non_manifold_edges},
           {"degenerateFaces", input.degenerate_faces},
+          {"cancelledFaces", input.cancelled_faces},
           {"components", input.components},
           {"flipped", input.flipped},
           {"latticeStep", input.lattice_step}};
@@ -29,6 +30,8 @@ Json grid_json(const GridStats& grid) {
           {"hits", grid.hits},
           {"depth", grid.depth},
           {"bytes", grid.bytes},
+          {"topologyResolved", grid.topology_resolved},
+          {"unresolvedLeaves", grid.unresolved_leaves},
           {"ambiguousFaces", grid.ambiguous_faces},
           {"guessedFaces", grid.guessed_faces}};
 }
@@ -64,6 +67,12 @@ std::string faces_text(std::uint64_t triangles, std::uint64_t quads) {
                     : fmt::format("{} triangles and {} quads", triangles, quads);
 }
 
+std::string topology_text(const GridStats& grid) {
+  if (grid.topology_resolved) return ", topology resolved";
+  if (grid.unresolved_leaves == 0) return "";  // the other strategies do not look
+  return fmt::format(", topology given up in {} leaves", grid.unresolved_leaves);
+}
+
 std::string check_text(const MeshReport& output) {
   if (output.two_manifold) return "check    passed: 2-manifold\n";
   return fmt::format(
@@ -92,25 +101,26 @@ std::string report_as_text(const RunReport& report, const Command& command) {
   const InputReport& input = report.input;
   const GridStats& grid = report.grid;
   const MeshReport& output = report.output;
-  std::string text =
-      fmt::format("input    {}: {} vertices, {} triangles, {} parts{}{}\n", command.input,
-                  input.vertices, input.triangles, input.components,
-                  input.degenerate_faces == 0
-                      ? ""
-                      : fmt::format(", {} faces without area left out", input.degenerate_faces),
-                  input.flipped ? ", turned inside out" : "");
-  text += fmt::format("grid     {}, depth {}: {} cells, {} hits, {:.1f} MB\n",
+  std::string text = fmt::format("input    {}: {} vertices, {} triangles, {} parts{}\n",
+                                 command.input, input.vertices, input.triangles, input.components,
+                                 input.flipped ? ", turned inside out" : "");
+  if (input.degenerate_faces + input.cancelled_faces > 0) {
+    text += fmt::format("         {} faces without area and {} back to back take no part\n",
+                        input.degenerate_faces, input.cancelled_faces);
+  }
+  text += fmt::format("grid     {}, depth {}: {} cells, {} hits, {:.1f} MB{}\n",
                       word_of(command.build.strategy), grid.depth, grid.cells, grid.hits,
-                      static_cast<double>(grid.bytes) / 1e6);
+                      static_cast<double>(grid.bytes) / 1e6, topology_text(grid));
   text += fmt::format("output   {}{}{} vertices, {}, {} parts, Euler characteristic {}, {}\n",
                       command.output, command.output.empty() ? "" : ": ", output.vertices,
                       faces_text(output.triangles, output.quads), output.components,
                       output.euler_characteristic,
                       output.two_manifold ? "closed 2-manifold" : "not 2-manifold");
   if (command.check) text += check_text(output);
-  text += fmt::format("seconds  read {:.3f}, build {:.3f}, extract {:.3f}, write {:.3f}\n",
-                      report.seconds.read, report.seconds.build, report.seconds.extract,
-                      report.seconds.write);
+  text += fmt::format("seconds  read {:.3f}, build {:.3f}, extract {:.3f}", report.seconds.read,
+                      report.seconds.build, report.seconds.extract);
+  if (!command.output.empty()) text += fmt::format(", write {:.3f}", report.seconds.write);
+  text += '\n';
   return text;
 }
 
