@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: MIT
+// Runs the native command line as a user does: arguments, exit status, output, report, files.
+#ifdef KDM_CLI_PATH
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "kdmanifold/mesh_io.h"
+#include "kdmanifold/version.h"
+#include "support/mesh_assert.h"
+#include "support/random_meshes.h"
+#include "support/shapes.h"
+
+namespace kdm {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+struct Outcome {
+  int status = -1;
+  std::string out, err;
+};
+
+class Cli : public ::testing::Test {
+ protected:
+  Cli() {
+    const ::testing::TestInfo* info = ::testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::temp_directory_path() /
+              ("kdmanifold-cli-" + std::string(info->name()) + "-" + std::to_string(::getpid()));
+    fs::create_directories(folder_);
+    write("cube.obj", shapes::cube());
+  }
+  ~Cli() override { fs::remove_all(folder_); }
+
+  // In the test's folder, so that file names are short. Arguments are those of a shell.
+  Outcome run(const std::string& arguments) const {
+    const std::string command = "cd '" + folder_.string() + "' && '" + KDM_CLI_PATH + "' " +
+                                arguments + " > stdout.txt 2> stderr.txt";
+    const int status = std::system(command.c_str());
+    Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : -1, read("stdout.txt"),
+                    read("stderr.txt")};
+    fs::remove(folder_ / "stdout.txt");
+    fs::remove(folder_ / "stderr.txt");
+    return outcome;
+  }
+
+  // Whatever is wrong: status 2, nothing on standard output, one line, and no file more.
+  std::string complaint(const std::string& arguments) const {
+    const std::set<std::string> before = files();
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.status, 2) << arguments;
+    EXPECT_EQ(outcome.out, "") << arguments;
+    EXPECT_EQ(outcome.err.find('\n'), outcome.err.size() - 1) << outcome.err;
+    EXPECT_EQ(outcome.err.rfind("kdmanifold: ", 0), 0u) << outcome.err;
+    EXPECT_EQ(files(), before) << arguments;
+    return outcome.err.size() < 13 ? "" : outcome.err.substr(12, outcome.err.size() - 13);
+  }
+
+  Json report(const std::string& arguments, int status = 0) const {
+    const Outcome outcome = run(arguments + " --json");
+    EXPECT_EQ(outcome.status, status) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    return Json::parse(outcome.out);
+  }
+
+  std::string read(const char* name) const {
+    std::ifstream stream(folder_ / name, std::ios::binary);
+    std::ostringstream text;
+    text << stream.rdbuf();
+    return text.str();
+  }
+  void write(const char* name, const std::string& text) const {
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+  }
+  void write(const char* name, const Mesh& mesh) const {
+    write_mesh((folder_ / name).string(), mesh);
+  }
+  Mesh mesh(const char* name) const { return read_mesh((folder_ / name).string()); }
+  std::set<std::string> files() const {
+    std::set<std::string> names;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder_)) {
+      names.insert(entry.path().filename().string());
+    }
+    return names;
+  }
+
+  fs::path folder_;
+};
+
+std::vector<std::string> keys(const Json& object) {
+  std::vector<std::string> names;
+  for (const auto& item : object.items()) names.push_back(item.key());
+  return names;
+}
+
+using Names = std::vector<std::string>;
+
+// Quick, and with as many cells whatever becomes of the other rules.
+const std::string kCoarse = " --strategy uniform --depth 9";
+
+TEST_F(Cli, HelpListsTheOptions) {
+  for (const char* flag : {"--help", "-h", "--help nonsense.obj"}) {
+    const Outcome outcome = run(flag);
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_EQ(outcome.err, "");
+    std::set<std::string> options;
+    const std::regex option("--[a-z][a-z-]*");
+    for (std::sregex_iterator it(outcome.out.begin(), outcome.out.end(), option), end; it != end;
+         ++it) {
+      options.insert(it->str());
+    }
+    EXPECT_EQ(options, (std::set<std::string>{"--check", "--depth", "--help", "--inside", "--json",
+                                              "--no-strict", "--output", "--pairing", "--quads",
+                                              "--relative-tolerance", "--strategy", "--tolerance",
+                                              "--version"}));
+    EXPECT_NE(outcome.out.find("adaptive|octree|median|uniform"), std::string::npos);
+  }
+}
+
+TEST_F(Cli, Version) {
+  const Outcome outcome = run("--version");
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.out, "kdmanifold " KDM_VERSION "\n");
+}
+
+TEST_F(Cli, ConvertsBetweenAllFormats) {
+  for (const char* from : {"obj", "stl", "ply", "off"}) {
+    const std::string input = std::string("in.") + from;
+    write(input.c_str(), shapes::cube());
+    for (const char* to : {"obj", "stl", "ply", "off"}) {
+      const std::string output = std::string("out-") + from + "." + to;
+      const Outcome outcome = run(input + " -o " + output + kCoarse);
+      EXPECT_EQ(outcome.status, 0) << outcome.err;
+      EXPECT_EQ(outcome.err, "");
+      EXPECT_NE(outcome.out.find("closed 2-manifold"), std::string::npos) << outcome.out;
+      EXPECT_NE(outcome.out.find(output), std::string::npos) << outcome.out;
+      const Mesh result = mesh(output.c_str());
+      EXPECT_GT(result.triangles.size(), 12u);
+      if (std::string(to) != "stl") {
+        EXPECT_TRUE(check::is_two_manifold(result));
+      }
+      EXPECT_NEAR(describe(result).volume, 1, 1e-4);
+    }
+  }
+}
+
+TEST_F(Cli, SameInputSameBytes) {
+  write("torus.ply", shapes::torus());
+  for (const char* output : {"a.obj", "b.obj"}) {
+    EXPECT_EQ(run(std::string("torus.ply -o ") + output).status, 0);
+  }
+  EXPECT_FALSE(read("a.obj").empty());
+  EXPECT_EQ(read("a.obj"), read("b.obj"));
+}
+
+TEST_F(Cli, ReportHasTheDocumentedKeys) {
+  const Json json = report("cube.obj -o out.ply --check" + kCoarse);
+  EXPECT_EQ(keys(json), (Names{"input", "grid", "output", "check", "seconds", "peakBytes"}));
+  EXPECT_EQ(keys(json["input"]),
+            (Names{"vertices", "triangles", "closed", "boundaryEdges", "nonManifoldEdges",
+                   "degenerateFaces", "cancelledFaces", "components", "flipped", "latticeStep"}));
+  EXPECT_EQ(keys(json["grid"]),
+            (Names{"cells", "leaves", "hits", "depth", "bytes", "topologyResolved",
+                   "unresolvedLeaves", "ambiguousFaces", "guessedFaces"}));
+  EXPECT_EQ(keys(json["output"]), (Names{"vertices", "triangles", "quads", "components",
+                                         "eulerCharacteristic", "twoManifold", "closed", "volume",
+                                         "area", "droppedPillows", "insertedVertices"}));
+  EXPECT_EQ(keys(json["check"]),
+            (Names{"twoManifold", "closed", "boundaryEdges", "nonManifoldEdges", "misorientedEdges",
+                   "nonManifoldVertices", "degenerateFaces", "duplicateFaces"}));
+  EXPECT_EQ(keys(json["seconds"]), (Names{"read", "build", "extract", "write"}));
+
+  EXPECT_EQ(json["input"]["vertices"], 8);
+  EXPECT_EQ(json["input"]["triangles"], 12);
+  EXPECT_EQ(json["input"]["closed"], true);
+  EXPECT_EQ(json["input"]["components"], 1);
+  EXPECT_EQ(json["input"]["flipped"], false);
+  EXPECT_EQ(json["grid"]["depth"], 9);
+  const Mesh result = mesh("out.ply");
+  EXPECT_EQ(json["output"]["vertices"], result.positions.size());
+  EXPECT_EQ(json["output"]["triangles"], result.triangles.size());
+  EXPECT_EQ(json["output"]["eulerCharacteristic"], 2);
+  EXPECT_EQ(json["output"]["twoManifold"], true);
+  EXPECT_NEAR(json["output"]["volume"].get<double>(), 1, 1e-5);
+  EXPECT_NEAR(json["output"]["area"].get<double>(), 6, 1e-4);
+  EXPECT_GT(json["peakBytes"].get<double>(), 1e5);
+  EXPECT_EQ(json["check"]["twoManifold"], true);
+}
+
+TEST_F(Cli, ReportOmitsWhatWasNotDone) {
+  const Json json = report("cube.obj" + kCoarse);
+  EXPECT_EQ(keys(json), (Names{"input", "grid", "output", "seconds", "peakBytes"}));
+  EXPECT_EQ(keys(json["seconds"]), (Names{"read", "build", "extract"}));
+  EXPECT_EQ(files(), (std::set<std::string>{"cube.obj"}));
+}
+
+TEST_F(Cli, InputInsideOutIsTurned) {
+  write("inverted.obj", shapes::inverted(shapes::cube()));
+  const Json json = report("inverted.obj" + kCoarse);
+  EXPECT_EQ(json["input"]["flipped"], true);
+  EXPECT_NEAR(json["output"]["volume"].get<double>(), 1, 1e-5);
+  EXPECT_NE(run("inverted.obj" + kCoarse).out.find("turned inside out"), std::string::npos);
+}
+
+TEST_F(Cli, EveryOptionHasAnEffect) {
+  write("turned.obj", shapes::rotated(shapes::cube(), {1, 2, 3}, 1));
+  write("in.obj", shapes::overlapping_cubes());
+  const std::string base = "in.obj --depth 12 --strategy ";
+  std::set<int> cells;
+  for (const char* strategy : {"adaptive", "octree", "median", "uniform"}) {
+    const Json json = report(std::string("turned.obj --depth 12 --strategy ") + strategy);
+    EXPECT_EQ(json["output"]["twoManifold"], true) << strategy;
+    cells.insert(json["grid"]["cells"].get<int>());
+  }
+  EXPECT_EQ(cells.size(), 4u);
+  EXPECT_EQ(report("in.obj --depth 12")["grid"], report(base + "adaptive")["grid"]);
+  EXPECT_EQ(report("in.obj --strategy uniform --depth=9")["grid"]["depth"], 9);
+
+  // The octant in common counts once; with odd windings it is a cavity.
+  const Json plain = report(base + "uniform");
+  const double whole = plain["output"]["volume"].get<double>();
+  const Json odd = report(base + "uniform --inside odd");
+  EXPECT_LT(odd["output"]["volume"].get<double>(), whole - 0.05);
+  const Json nonzero = report(base + "uniform --inside nonzero");
+  EXPECT_EQ(nonzero["output"]["volume"].get<double>(), whole);
+
+  EXPECT_EQ(plain["output"]["quads"], 0);
+  const Json quads = report(base + "uniform --quads -o quads.obj");
+  EXPECT_GT(quads["output"]["quads"].get<int>(), 0);
+  const std::string text = read("quads.obj");
+  EXPECT_TRUE(std::regex_search(text, std::regex("\nf \\d+ \\d+ \\d+ \\d+\n")));
+  for (const char* pairing : {"trace", "hermite", "inside", "outside"}) {
+    const Json json = report(base + "median --pairing " + pairing);
+    EXPECT_EQ(json["output"]["twoManifold"], true) << pairing;
+  }
+}
+
+TEST_F(Cli, TolerancesDecideHowMuchIsSplit) {
+  write("ball.ply", shapes::icosphere(3));
+  const auto triangles = [this](const std::string& options) {
+    return report("ball.ply " + options)["output"]["triangles"].get<int>();
+  };
+  EXPECT_LT(triangles("--tolerance 0.1"), triangles("--tolerance 0.01"));
+  EXPECT_LT(triangles("--relative-tolerance 1e-1"), triangles("--relative-tolerance=1e-2"));
+  // The absolute one goes first, unless it is 0.
+  EXPECT_EQ(triangles("--tolerance 0.1 --relative-tolerance 0.001"), triangles("--tolerance .1"));
+  EXPECT_EQ(triangles("--tolerance 0 --relative-tolerance 0.1"),
+            triangles("--relative-tolerance 0.1"));
+}
+
+TEST_F(Cli, CheckFailsOnWhatIsNotManifold) {
+  // Two cubes that touch along an edge; without strictness their common edge has four faces.
+  write("edge.obj", shapes::random_voxels(6, 0.5, 1));
+  const std::string arguments = "edge.obj --depth 12 --strategy median --pairing inside";
+  const Json strict = report(arguments + " --check");
+  EXPECT_EQ(strict["check"]["twoManifold"], true);
+  const Json raw = report(arguments + " --no-strict --check -o out.obj", 1);
+  EXPECT_EQ(raw["check"]["twoManifold"], false);
+  EXPECT_EQ(raw["output"]["twoManifold"], false);
+  EXPECT_TRUE(fs::exists(folder_ / "out.obj"));
+  const Outcome text = run(arguments + " --no-strict --check");
+  EXPECT_EQ(text.status, 1);
+  EXPECT_NE(text.out.find("FAILED"), std::string::npos);
+  EXPECT_EQ(run(arguments + " --no-strict").status, 0) << "nobody asked for a check";
+}
+
+TEST_F(Cli, MistakesInTheArguments) {
+  EXPECT_EQ(complaint(""), "INPUT is required (--help lists the options)");
+  EXPECT_EQ(complaint("cube.obj --strategy fast"),
+            "--strategy: 'fast' is none of adaptive, octree, median, uniform");
+  EXPECT_EQ(complaint("cube.obj --inside even"),
+            "--inside: 'even' is none of positive, odd, nonzero");
+  EXPECT_EQ(complaint("cube.obj --pairing near"),
+            "--pairing: 'near' is none of trace, hermite, inside, outside");
+  for (const char* depth : {"0", "61", "-1", "9.5", "x", "''", "99999999999999999999"}) {
+    EXPECT_NE(complaint(std::string("cube.obj --depth ") + depth).find("--depth: "),
+              std::string::npos)
+        << depth;
+  }
+  for (const char* tolerance : {"-1", "x", "''", "nan", "inf", "1e999", "0,5", "1mm"}) {
+    EXPECT_EQ(
+        complaint(std::string("cube.obj --tolerance ") + tolerance).rfind("--tolerance: '", 0), 0u)
+        << tolerance;
+  }
+  EXPECT_EQ(complaint("cube.obj --relative-tolerance -0.5"),
+            "--relative-tolerance: '-0.5' is no number from 0 on");
+  EXPECT_NE(complaint("cube.obj --depth").find("--depth"), std::string::npos);
+  EXPECT_NE(complaint("cube.obj --bogus").find("--bogus"), std::string::npos);
+  EXPECT_NE(complaint("cube.obj other.obj").find("other.obj"), std::string::npos);
+  EXPECT_NE(complaint("cube.obj -o out.xyz").find("out.xyz: "), std::string::npos);
+  EXPECT_NE(complaint("cube.obj -o no/such/out.obj").find("no/such/out.obj: "), std::string::npos);
+}
+
+TEST_F(Cli, BadInputIsNamedAndLeavesNothing) {
+  EXPECT_EQ(complaint("none.obj -o out.obj").rfind("none.obj: cannot be opened", 0), 0u);
+  EXPECT_EQ(complaint("none.txt -o out.obj").rfind("none.txt: ", 0), 0u);
+  EXPECT_EQ(complaint("\"$(printf 'a\\nb')\".obj").rfind("a b.obj: ", 0), 0u);
+
+  write("bad.obj", std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n"));
+  EXPECT_EQ(complaint("bad.obj -o out.obj --json"),
+            "bad.obj: line 4: vertex index 4 is out of range, there are 3 vertices");
+  write("cut.ply", format_mesh(shapes::cube(), MeshFormat::kPly).substr(0, 300));
+  EXPECT_EQ(complaint("cut.ply -o out.obj").rfind("cut.ply: byte ", 0), 0u);
+  write("cut.stl", format_mesh(shapes::cube(), MeshFormat::kStl).substr(0, 300));
+  EXPECT_EQ(complaint("cut.stl -o out.obj").rfind("cut.stl: byte 84: ", 0), 0u);
+  write("cut.off", format_mesh(shapes::cube(), MeshFormat::kOff).substr(0, 60));
+  EXPECT_EQ(complaint("cut.off -o out.obj").rfind("cut.off: line ", 0), 0u);
+
+  write("empty.obj", std::string("# nothing\n"));
+  EXPECT_EQ(complaint("empty.obj -o out.obj").rfind("empty.obj: ", 0), 0u);
+  write("open.obj", shapes::open(shapes::cube()));
+  EXPECT_EQ(complaint("open.obj -o out.obj").rfind("open.obj: ", 0), 0u);
+}
+
+TEST_F(Cli, AnOldOutputSurvivesFailure) {
+  write("out.obj", std::string("precious"));
+  write("open.obj", shapes::open(shapes::cube()));
+  complaint("open.obj -o out.obj");
+  EXPECT_EQ(read("out.obj"), "precious");
+  EXPECT_EQ(run("cube.obj -o out.obj" + kCoarse).status, 0);
+  EXPECT_TRUE(check::is_two_manifold(mesh("out.obj")));
+}
+
+TEST_F(Cli, InputAndOutputMayBeTheSameFile) {
+  EXPECT_EQ(run("cube.obj -o cube.obj" + kCoarse).status, 0);
+  EXPECT_GT(mesh("cube.obj").triangles.size(), 12u);
+}
+
+}  // namespace
+}  // namespace kdm
+
+#endif  // KDM_CLI_PATH
