@@ -5,9 +5,11 @@
 // six times the volume of a tetrahedron in the root cube, at most 2 * (2^20)^3 = 2^61.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "kdmanifold/types.h"
 
@@ -51,14 +53,24 @@ struct Lattice {
 };
 
 /// The lattice that puts `bounds` in the middle of the root cell, with the margin on its longest
-/// axis. A box without extent gets a step of one model unit.
+/// axis. A box without extent gets a step of one model unit. Where coordinates are so far from zero
+/// that rounding the origin would use up the margin, the step is larger.
 inline Lattice lattice_over(const Box& bounds) {
   const double extent = (bounds.max - bounds.min).maxCoeff();
   Lattice lattice;
   lattice.step = extent > 0 ? extent / (kLatticeSize - 2 * kLatticeMargin) : 1.0;
+  // Below normal numbers a quotient says nothing; such a box counts as a point.
+  lattice.step = std::max(lattice.step, std::numeric_limits<double>::min());
   const Vec3 centre = bounds.min + 0.5 * (bounds.max - bounds.min);
-  lattice.origin = centre - Vec3::Constant(lattice.step * (kLatticeSize / 2));
-  return lattice;
+  for (;;) {
+    lattice.origin = centre - Vec3::Constant(lattice.step * (kLatticeSize / 2));
+    constexpr double kLow = kLatticeMargin / 2;
+    constexpr double kHigh = kLatticeSize - kLow;
+    const bool outside = lattice.to_lattice(bounds.min).minCoeff() < kLow ||
+                         lattice.to_lattice(bounds.max).maxCoeff() > kHigh;
+    if (!outside) return lattice;
+    lattice.step *= 2;
+  }
 }
 
 }  // namespace kdm
