@@ -14,6 +14,7 @@
 #include "build/trace.h"
 #include "geometry/assert.h"
 #include "grid/faces.h"
+#include "kdmanifold/error.h"
 
 namespace kdm {
 namespace {
@@ -42,7 +43,9 @@ class Linking {
     }
     collect(face);
     const auto count = static_cast<Index>(outline_.size());
-    KDM_ASSERT(count % 2 == 0, "an even number of hits lies round a minimal face");
+    if (count % 2 != 0) {  // checked in release builds too: nothing sound can follow
+      throw Error(ErrorCode::kInternal, "an odd number of hits lies round a minimal face");
+    }
     if (count == 2) {
       link(face, outline_[0], outline_[1], 0);
       return;

@@ -35,9 +35,9 @@ std::vector<LatticeBox> cell_boxes(const GridData& grid) {
 
 Grid::Grid() : data_(std::make_unique<GridData>()) {}
 Grid::Grid(std::unique_ptr<GridData> data) : data_(std::move(data)) {}
-Grid::Grid(const Grid& other) : data_(std::make_unique<GridData>(*other.data_)) {}
+Grid::Grid(const Grid& other) : data_(std::make_unique<GridData>(other.data())) {}
 Grid& Grid::operator=(const Grid& other) {
-  if (this != &other) data_ = std::make_unique<GridData>(*other.data_);
+  if (this != &other) data_ = std::make_unique<GridData>(other.data());
   return *this;
 }
 Grid::Grid(Grid&& other) noexcept : data_(std::move(other.data_)) {}
@@ -47,7 +47,11 @@ Grid& Grid::operator=(Grid&& other) noexcept {
 }
 Grid::~Grid() = default;
 
-const GridStats& Grid::stats() const { return data_->stats; }
-const InputReport& Grid::input() const { return data_->input; }
+const GridData& Grid::data() const {
+  static const GridData kEmpty;
+  return data_ ? *data_ : kEmpty;  // none after a move
+}
+const GridStats& Grid::stats() const { return data().stats; }
+const InputReport& Grid::input() const { return data().input; }
 
 }  // namespace kdm

@@ -53,8 +53,7 @@ class Grid {
   const InputReport& input() const;
 
   /// For the library's own algorithms; not part of the interface.
-  const GridData& data() const { return *data_; }
-  GridData& data() { return *data_; }
+  const GridData& data() const;
 
  private:
   std::unique_ptr<GridData> data_;
