@@ -8,7 +8,8 @@
 namespace kdm {
 
 enum class ErrorCode {
-  kInvalidMesh,    ///< an array of the mesh is unusable: the message names it, the index and the value
+  kInvalidMesh,    ///< an array of the mesh is unusable: the message names it, the index and the
+                   ///< value
   kInvalidOption,  ///< an option is out of its range: the message names it and the range
   kNotClosed,      ///< the input is open or inconsistently oriented: count and first edge at fault
   kParseError,     ///< a file's content is malformed: the message names the line or byte

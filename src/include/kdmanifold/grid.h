@@ -12,7 +12,7 @@ struct GridData;
 
 /// What the grid was built from.
 struct InputReport {
-  Index vertices = 0;   ///< after welding vertices of exactly equal position
+  Index vertices = 0;  ///< after welding vertices of exactly equal position
   Index triangles = 0;
   bool closed = false;  ///< every edge is used equally often in both directions
   Index boundary_edges = 0;
@@ -21,21 +21,21 @@ struct InputReport {
   Index cancelled_faces = 0;     ///< faces that lie back to back in pairs; they take no part
   Index components = 0;          ///< parts joined by edges
   bool flipped = false;          ///< the input was inside out and has been turned
-  double lattice_step = 0;       ///< what input positions were rounded to for decisions, model units
+  double lattice_step = 0;  ///< what input positions were rounded to for decisions, model units
 };
 
 struct GridStats {
   Index cells = 0;  ///< nodes of the kd-tree
   Index leaves = 0;
-  Index hits = 0;   ///< intersections of the surface with grid edges
-  int depth = 0;    ///< of the deepest leaf
+  Index hits = 0;         ///< intersections of the surface with grid edges
+  int depth = 0;          ///< of the deepest leaf
   std::size_t bytes = 0;  ///< memory held by the grid
   /// Adaptive, octree: no leaf was given up, every ambiguous face was traced; the output of an
   /// embedded input is then homeomorphic to it. Other strategies do not look: false.
   bool topology_resolved = false;
   Index unresolved_leaves = 0;  ///< leaves given up at the depth limit or below the size floor
-  Index ambiguous_faces = 0;  ///< minimal faces with more than two hits
-  Index guessed_faces = 0;    ///< of these, the ones a trace of the input could not decide
+  Index ambiguous_faces = 0;    ///< minimal faces with more than two hits
+  Index guessed_faces = 0;      ///< of these, the ones a trace of the input could not decide
 };
 
 /// A kd-tree grid with its hits and links. Movable and copyable; a moved-from grid is empty.
