@@ -49,6 +49,7 @@ export default ts.config(
       globals: {
         ...node,
         AbortController: 'readonly',
+        TextEncoder: 'readonly',
         afterAll: 'readonly',
         afterEach: 'readonly',
         beforeAll: 'readonly',
