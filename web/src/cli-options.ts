@@ -98,8 +98,8 @@ function readValue(name: string, spec: OptionSpec, text: string): string | numbe
       if (/^\d+$/.test(text) && value >= spec.min && value <= spec.max) return value;
       return usageError(`--${name}: '${text}' is no whole number from ${spec.min} to ${spec.max}`);
     default:
-      if (/^[+]?(\d|\.\d)/.test(text) && Number.isFinite(value)) return value;
-      return usageError(`--${name}: '${text}' is no finite number, 0 or more`);
+      if (/^(\d|\.\d)/.test(text) && Number.isFinite(value)) return value;
+      return usageError(`--${name}: '${text}' is no number from 0 on`);
   }
 }
 

@@ -61,18 +61,22 @@ export function reportAsText(report: CliReport, command: Command): string {
       : `${output.triangles} triangles and ${output.quads} quads`;
   const lines = [
     `input    ${command.input}: ${input.vertices} vertices, ${input.triangles} triangles, ` +
-      `${input.components} parts` +
-      (input.degenerateFaces === 0
-        ? ''
-        : `, ${input.degenerateFaces} faces without area left out`) +
-      (input.flipped ? ', turned inside out' : ''),
+      `${input.components} parts${input.flipped ? ', turned inside out' : ''}`,
+  ];
+  if (input.degenerateFaces + input.cancelledFaces > 0) {
+    lines.push(
+      `         ${input.degenerateFaces} faces without area and ${input.cancelledFaces} ` +
+        'back to back take no part',
+    );
+  }
+  lines.push(
     `grid     ${command.build.strategy ?? 'adaptive'}, depth ${grid.depth}: ${grid.cells} cells, ` +
-      `${grid.hits} hits, ${(grid.bytes / 1e6).toFixed(1)} MB`,
+      `${grid.hits} hits, ${(grid.bytes / 1e6).toFixed(1)} MB${topologyText(grid)}`,
     `output   ${command.output === undefined ? '' : `${command.output}: `}` +
       `${output.vertices} vertices, ${faces}, ${output.components} parts, ` +
       `Euler characteristic ${output.eulerCharacteristic}, ` +
       (output.twoManifold ? 'closed 2-manifold' : 'not 2-manifold'),
-  ];
+  );
   if (command.check) {
     lines.push(
       output.twoManifold
@@ -83,10 +87,17 @@ export function reportAsText(report: CliReport, command: Command): string {
             `degenerate, ${output.duplicateFaces} duplicate faces`,
     );
   }
-  const time = (value = 0): string => value.toFixed(3);
+  const time = (value: number): string => value.toFixed(3);
   lines.push(
     `seconds  read ${time(seconds.read)}, build ${time(seconds.build)}, ` +
-      `extract ${time(seconds.extract)}, write ${time(seconds.write)}`,
+      `extract ${time(seconds.extract)}` +
+      (seconds.write === undefined ? '' : `, write ${time(seconds.write)}`),
   );
   return `${lines.join('\n')}\n`;
+}
+
+function topologyText(grid: GridStats): string {
+  if (grid.topologyResolved) return ', topology resolved';
+  if (grid.unresolvedLeaves === 0) return ''; // the other strategies do not look
+  return `, topology given up in ${grid.unresolvedLeaves} leaves`;
 }

@@ -27,7 +27,11 @@ export class Grid {
   readonly #health: Health;
 
   /** @internal */
-  constructor(raw: RawGrid, registry: FinalizationRegistry<RawGrid>, health: Health) {
+  static of(raw: RawGrid, registry: FinalizationRegistry<RawGrid>, health: Health): Grid {
+    return new Grid(raw, registry, health);
+  }
+
+  private constructor(raw: RawGrid, registry: FinalizationRegistry<RawGrid>, health: Health) {
     this.#raw = raw;
     this.#registry = registry;
     this.#health = health;

@@ -36,7 +36,11 @@ export class KdManifold {
   });
 
   /** @internal */
-  constructor(raw: RawModule) {
+  static of(raw: RawModule): KdManifold {
+    return new KdManifold(raw);
+  }
+
+  private constructor(raw: RawModule) {
     this.#raw = raw;
   }
 
@@ -57,7 +61,7 @@ export class KdManifold {
     const raw = call(this.#health, options.onProgress, (progress) =>
       this.#raw.buildGrid(input, checked, progress),
     );
-    return new Grid(raw, this.#registry, this.#health);
+    return Grid.of(raw, this.#registry, this.#health);
   }
 
   /** Counts what there is to be counted: parts, open edges, whether the mesh is 2-manifold. */

@@ -55,7 +55,7 @@ export async function instantiate(module: WebAssembly.Module): Promise<KdManifol
       },
     }).then(resolve, reject);
   });
-  return new KdManifold(raw);
+  return KdManifold.of(raw);
 }
 
 async function compileFrom({ wasmBinary, wasmUrl }: LoadOptions): Promise<WebAssembly.Module> {
