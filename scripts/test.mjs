@@ -68,7 +68,8 @@ const parts = {
       'build/sanitized',
       [
         'CMAKE_BUILD_TYPE=Debug',
-        'CMAKE_CXX_FLAGS=-O1',
+        // g++ 12 sees uninitialised members in its own <regex> once sanitizers are on.
+        'CMAKE_CXX_FLAGS=-O1 -Wno-maybe-uninitialized',
         'KDM_SANITIZE=ON',
         'KDM_WERROR=ON',
         'KDM_BUILD_TESTS=ON',
