@@ -11,7 +11,7 @@ wasm='cmake ninja-build emscripten libeigen3-dev libfast-float-dev libfmt-dev'
 native='cmake ninja-build g++ libeigen3-dev libfast-float-dev libfmt-dev libcli11-dev
   nlohmann-json3-dev'
 tests='clang libclang-rt-14-dev clang-format clang-tidy libgtest-dev libbenchmark-dev doxygen
-  chromium'
+  chromium fonts-dejavu-core'
 
 [ $# -gt 0 ] || set -- wasm native test
 wanted=
