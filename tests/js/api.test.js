@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: MIT
+// The synchronous interface: what goes in, what comes out, every option.
+import { readFileSync } from 'node:fs';
+import { formatFromPath, Grid, KdManifold, load } from '../../dist/index.js';
+import {
+  asSoup,
+  cube,
+  eulerCharacteristic,
+  faults,
+  together,
+  torus,
+  volume,
+} from './support/meshes.js';
+import { root } from './support/paths.js';
+
+let kdm;
+beforeAll(async () => {
+  kdm = await load();
+});
+
+function convert(mesh, build = {}, extract = {}) {
+  const grid = kdm.buildGrid(mesh, build);
+  try {
+    return grid.extract(extract);
+  } finally {
+    grid.delete();
+  }
+}
+
+const same = (a, b) => {
+  expect(Buffer.from(a.positions.buffer).equals(Buffer.from(b.positions.buffer))).toBe(true);
+  expect(Buffer.from(a.indices.buffer).equals(Buffer.from(b.indices.buffer))).toBe(true);
+};
+
+test('loading again gives the same object, of the version in package.json', async () => {
+  expect(await load()).toBe(kdm);
+  expect(kdm).toBeInstanceOf(KdManifold);
+  expect(kdm.version).toBe(JSON.parse(readFileSync(`${root}/package.json`, 'utf8')).version);
+});
+
+test('a cube comes back as a cube', () => {
+  const mesh = convert(cube());
+  expect(faults(mesh)).toEqual([]);
+  expect(volume(mesh)).toBeCloseTo(8, 5);
+  expect(eulerCharacteristic(mesh)).toBe(2);
+  expect(mesh.positions.constructor.name).toBe('Float32Array');
+  expect(mesh.indices.constructor.name).toBe('Uint32Array');
+  expect(mesh.quads).toBeUndefined();
+  expect(mesh.sourceFaces).toHaveLength(mesh.indices.length / 3);
+  expect(Math.max(...mesh.sourceFaces)).toBeLessThan(12);
+  expect(mesh.report.droppedPillows).toBeGreaterThanOrEqual(0);
+  expect(mesh.report.insertedVertices).toBeGreaterThanOrEqual(0);
+});
+
+test('positions and indices of every allowed class give the same result', () => {
+  const { positions, indices } = torus();
+  const expected = convert({ positions, indices });
+  same(convert({ positions: Float64Array.from(positions), indices }), expected);
+  same(convert({ positions, indices: Uint16Array.from(indices) }), expected);
+  same(convert(asSoup({ positions, indices })), expected);
+  same(convert({ positions, indices, sourceFaces: null, quads: undefined }), expected);
+});
+
+test('arrays that are views into larger buffers are read where they are', () => {
+  const { positions, indices } = cube();
+  const floats = new Float32Array(100).fill(NaN);
+  floats.set(positions, 7);
+  const numbers = new Uint16Array(100).fill(65535);
+  numbers.set(indices, 3);
+  same(
+    convert({ positions: floats.subarray(7, 31), indices: numbers.subarray(3, 39) }),
+    convert({ positions, indices }),
+  );
+});
+
+test.each(['adaptive', 'octree', 'median', 'uniform'])('strategy %s', (strategy) => {
+  const mesh = convert(torus(), { strategy, depth: 18 });
+  expect(faults(mesh)).toEqual([]);
+  expect(volume(mesh)).toBeGreaterThan(0);
+});
+
+test('depth limits the tree', () => {
+  const grid = kdm.buildGrid(torus(), { strategy: 'uniform', depth: 12 });
+  expect(grid.stats.depth).toBe(12);
+  grid.delete();
+});
+
+test('a smaller tolerance gives more triangles, absolute or relative', () => {
+  const count = (options) => convert(torus(64, 32), options).indices.length;
+  expect(count({ relativeTolerance: 0.0005 })).toBeGreaterThan(count({ relativeTolerance: 0.02 }));
+  expect(count({ tolerance: 0.005 })).toBeGreaterThan(count({ tolerance: 0.2 }));
+});
+
+// Two cubes, the second within the first: once in the union, a hollow where winding is even.
+test('inside decides what overlapping and nested shells mean', () => {
+  const nested = together(cube(4), cube(2));
+  const options = { strategy: 'uniform', depth: 15 };
+  const of = (inside) => volume(convert(nested, { ...options, inside }));
+  expect(of('positive')).toBeCloseTo(64, 1);
+  expect(of('nonzero')).toBeCloseTo(64, 1);
+  expect(of('odd')).toBeCloseTo(56, 1);
+});
+
+test.each(['trace', 'hermite', 'inside', 'outside'])('pairing %s', (pairing) => {
+  const mesh = convert(torus(), { strategy: 'uniform', depth: 9, pairing });
+  expect(faults(mesh)).toEqual([]);
+});
+
+test('quads on request, and as many faces in all as source faces', () => {
+  const mesh = convert(torus(), { strategy: 'uniform', depth: 12 }, { quads: true });
+  expect(mesh.quads.length).toBeGreaterThan(0);
+  expect(mesh.sourceFaces).toHaveLength(mesh.indices.length / 3 + mesh.quads.length / 4);
+  expect(faults(mesh)).toEqual([]);
+});
+
+test('without strict nothing is dropped or inserted', () => {
+  const mesh = convert(torus(), { strategy: 'uniform', depth: 9 }, { strict: false });
+  expect(mesh.report).toEqual({ droppedPillows: 0, insertedVertices: 0 });
+});
+
+test("source faces are the caller's numbers where given", () => {
+  const mesh = cube();
+  const sourceFaces = Uint32Array.from({ length: 12 }, (_, i) => 1000 + i);
+  const from = new Set(convert({ ...mesh, sourceFaces }).sourceFaces);
+  expect(Math.min(...from)).toBeGreaterThanOrEqual(1000);
+  expect(Math.max(...from)).toBeLessThan(1012);
+});
+
+test('a grid describes itself and its input', () => {
+  const grid = kdm.buildGrid(asSoup(cube()));
+  expect(grid).toBeInstanceOf(Grid);
+  expect(grid.input).toMatchObject({
+    vertices: 8,
+    triangles: 12,
+    closed: true,
+    boundaryEdges: 0,
+    nonManifoldEdges: 0,
+    degenerateFaces: 0,
+    cancelledFaces: 0,
+    components: 1,
+    flipped: false,
+  });
+  expect(grid.input.latticeStep).toBeGreaterThan(0);
+  expect(grid.stats.cells).toBeGreaterThan(grid.stats.leaves);
+  expect(grid.stats.bytes).toBeGreaterThan(0);
+  expect(grid.stats).toMatchObject({ topologyResolved: true, unresolvedLeaves: 0 });
+  grid.delete();
+});
+
+test('a mesh inside out is turned, and said to be', () => {
+  const { positions, indices } = cube();
+  const grid = kdm.buildGrid({ positions, indices: indices.slice().reverse() });
+  expect(grid.input.flipped).toBe(true);
+  expect(volume(grid.extract())).toBeCloseTo(8, 5);
+  grid.delete();
+});
+
+test('a grid can be extracted from again; results are copies', () => {
+  const grid = kdm.buildGrid(torus());
+  const first = grid.extract();
+  const kept = first.positions.slice();
+  first.positions.fill(0);
+  const second = grid.extract();
+  expect(second.positions).toEqual(kept);
+  grid.delete();
+});
+
+test('delete may be called twice; dispose is delete', () => {
+  const grid = kdm.buildGrid(cube());
+  grid.delete();
+  grid.delete();
+  const other = kdm.buildGrid(cube());
+  other[Symbol.dispose]();
+  expect(() => other.stats).toThrow('deleted');
+});
+
+test('progress goes from 0 to 1 and never back', () => {
+  const seen = [];
+  const grid = kdm.buildGrid(torus(128, 64), {
+    onProgress: (fraction) => void seen.push(fraction),
+  });
+  grid.extract({ onProgress: (fraction) => void seen.push(1 + fraction) });
+  grid.delete();
+  expect(seen.length).toBeGreaterThan(2);
+  expect(seen).toEqual([...seen].sort((a, b) => a - b));
+  expect(Math.min(...seen)).toBeGreaterThanOrEqual(0);
+  expect(Math.max(...seen)).toBeLessThanOrEqual(2);
+});
+
+test('describe counts', () => {
+  const report = kdm.describe(cube());
+  expect(report).toMatchObject({
+    vertices: 8,
+    triangles: 12,
+    components: 1,
+    eulerCharacteristic: 2,
+    closed: true,
+    twoManifold: true,
+  });
+  expect(report.volume).toBeCloseTo(8);
+  expect(report.area).toBeCloseTo(24);
+  expect([...report.bounds.min, ...report.bounds.max]).toEqual([-1, -1, -1, 1, 1, 1]);
+  const { positions, indices } = cube();
+  expect(kdm.describe({ positions, indices: indices.slice(3) })).toMatchObject({
+    boundaryEdges: 3,
+    closed: false,
+    twoManifold: false,
+  });
+});
+
+test.each(['obj', 'stl', 'ply', 'off'])('%s: what is written can be read', (format) => {
+  const mesh = torus();
+  const read = kdm.parseMesh(kdm.formatMesh(mesh, format), format, `torus.${format}`);
+  expect(read.indices).toHaveLength(mesh.indices.length);
+  expect(volume(read)).toBeCloseTo(volume(mesh), 3);
+  expect(faults(convert(read))).toEqual([]);
+});
+
+test('meshes are parsed from text, bytes and buffers', () => {
+  const text = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n';
+  const bytes = new TextEncoder().encode(text);
+  for (const content of [text, bytes, bytes.buffer, Buffer.from(text)]) {
+    expect([...kdm.parseMesh(content, 'obj').indices]).toEqual([
+      0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3,
+    ]);
+  }
+});
+
+test('formats go by extension', () => {
+  expect(formatFromPath('a/b.c/Part.STL')).toBe('stl');
+  expect(() => formatFromPath('part')).toThrow('unknown file type');
+});

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// A server for folders of files, with a content-security policy as strict as it gets.
+import { createServer } from 'node:http';
+import { readFile } from 'node:fs/promises';
+import { extname, join, normalize } from 'node:path';
+
+const types = {
+  '.css': 'text/css',
+  '.html': 'text/html',
+  '.js': 'text/javascript',
+  '.svg': 'image/svg+xml',
+  '.wasm': 'application/wasm',
+};
+
+export const strictPolicy =
+  "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; connect-src 'self'";
+
+/** Serves `folder`; `headers` go with every answer. Resolves to {address, close}. */
+export function serve(folder, headers = {}) {
+  const server = createServer(async (request, response) => {
+    const path = new URL(request.url, 'http://local').pathname;
+    const file = join(folder, normalize(path.endsWith('/') ? `${path}index.html` : path));
+    try {
+      const content = await readFile(file);
+      response.writeHead(200, { 'content-type': types[extname(file)] ?? 'text/plain', ...headers });
+      response.end(content);
+    } catch {
+      response.writeHead(404).end();
+    }
+  });
+  return new Promise((resolve) => {
+    server.listen(0, '127.0.0.1', () => {
+      resolve({
+        address: `http://127.0.0.1:${server.address().port}`,
+        close: () => new Promise((done) => server.close(done).closeAllConnections()),
+      });
+    });
+  });
+}
