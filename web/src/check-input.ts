@@ -42,9 +42,9 @@ export function checkPolygonMesh(mesh: PolygonMeshInput): PolygonMeshInput {
   const { positions, indices = null, quads = null, sourceFaces = null } = mesh;
   demandKind(positions, 'positions', ['Float32Array', 'Float64Array'], 3);
   for (let i = 0; i < positions.length; ++i) {
-    if (!Number.isFinite(positions[i])) {
-      fail(`positions[${i}] is ${positions[i]}; coordinates must be finite`);
-    }
+    const value = positions[i] as number;
+    // Finite numbers only; quicker than asking a function millions of times.
+    if (value - value !== 0) fail(`positions[${i}] is ${value}; coordinates must be finite`);
   }
   const vertices = positions.length / 3;
   if (indices === null) {

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: MIT
+// Every error a caller can provoke: its code, what its message names, and that all goes on after it.
+import { load, makeManifold } from '../../dist/index.js';
+import { cube, faults, torus } from './support/meshes.js';
+
+let kdm;
+beforeAll(async () => {
+  kdm = await load();
+});
+
+const { positions, indices } = cube();
+const build = (mesh, options) => () => kdm.buildGrid(mesh, options);
+const withPosition = (index, value) => {
+  const changed = positions.slice();
+  changed[index] = value;
+  return { positions: changed, indices };
+};
+const withIndex = (index, value) => {
+  const changed = indices.slice();
+  changed[index] = value;
+  return { positions, indices: changed };
+};
+// As 64-bit numbers this is more than WebAssembly can address; here it is pages never touched.
+const enormous = () => ({ positions: new Float32Array(540_000_000) });
+const deletedGrid = () => {
+  const grid = kdm.buildGrid(cube());
+  grid.delete();
+  return grid;
+};
+
+// What happens, the code, what the message must say.
+const table = [
+  ['no mesh', build(null), 'INVALID_MESH', /mesh.*null/],
+  ['a mesh that is no object', build('cube'), 'INVALID_MESH', /mesh.*string/],
+  ['no positions', build({ indices }), 'INVALID_MESH', /positions.*undefined/],
+  [
+    'a plain array',
+    build({ positions: [...positions], indices }),
+    'INVALID_MESH',
+    /positions.*plain array/,
+  ],
+  [
+    'whole positions',
+    build({ positions: Int32Array.from(positions), indices }),
+    'INVALID_MESH',
+    /positions.*Int32Array/,
+  ],
+  [
+    'signed indices',
+    build({ positions, indices: Int32Array.from(indices) }),
+    'INVALID_MESH',
+    /indices.*Int32Array/,
+  ],
+  [
+    'plain indices',
+    build({ positions, indices: [0, 1, 2] }),
+    'INVALID_MESH',
+    /indices.*plain array/,
+  ],
+  [
+    'a length no multiple of 3',
+    build({ positions: positions.slice(1), indices }),
+    'INVALID_MESH',
+    /positions.*23.*multiple of 3/,
+  ],
+  [
+    'a number of indices no multiple of 3',
+    build({ positions, indices: indices.slice(1) }),
+    'INVALID_MESH',
+    /indices.*35.*multiple of 3/,
+  ],
+  ['a soup of part of a triangle', build({ positions }), 'INVALID_MESH', /24.*multiple of 9/],
+  [
+    'an index out of range',
+    build(withIndex(7, 8)),
+    'INVALID_MESH',
+    /indices\[7\] is 8.*8 vertices/,
+  ],
+  ['NaN', build(withPosition(5, NaN)), 'INVALID_MESH', /positions\[5\] is NaN/],
+  ['infinity', build(withPosition(6, -Infinity)), 'INVALID_MESH', /positions\[6\] is -Infinity/],
+  [
+    'no vertices',
+    build({ positions: new Float32Array(), indices: new Uint32Array() }),
+    'INVALID_MESH',
+    /no triangles/,
+  ],
+  [
+    'no triangles',
+    build({ positions, indices: new Uint32Array() }),
+    'INVALID_MESH',
+    /no triangles/,
+  ],
+  [
+    'source faces of the wrong number',
+    build({ positions, indices, sourceFaces: new Uint32Array(3) }),
+    'INVALID_MESH',
+    /sourceFaces.*3.*12/,
+  ],
+  [
+    'quads out of range',
+    () => kdm.describe({ positions, indices, quads: Uint32Array.of(0, 1, 2, 9) }),
+    'INVALID_MESH',
+    /quads\[3\] is 9/,
+  ],
+  ['an open mesh', build({ positions, indices: indices.slice(3) }), 'NOT_CLOSED', /3.*edge/],
+  [
+    'a face turned over',
+    build({
+      positions,
+      indices: Uint32Array.of(...[...indices.slice(0, 3)].reverse(), ...indices.slice(3)),
+    }),
+    'NOT_CLOSED',
+    /edge/,
+  ],
+  ['options that are none', build(cube(), 5), 'INVALID_OPTION', /options.*number/],
+  ['an unknown option', build(cube(), { dept: 3 }), 'INVALID_OPTION', /dept\b/],
+  [
+    'an inherited name as option',
+    build(cube(), { constructor: 1 }),
+    'INVALID_OPTION',
+    /constructor/,
+  ],
+  [
+    'an unknown strategy',
+    build(cube(), { strategy: 'best' }),
+    'INVALID_OPTION',
+    /strategy.*'best'/,
+  ],
+  ['an unknown inside rule', build(cube(), { inside: 'all' }), 'INVALID_OPTION', /inside.*'all'/],
+  ['an unknown pairing', build(cube(), { pairing: null }), 'INVALID_OPTION', /pairing.*null/],
+  ['a depth of 0', build(cube(), { depth: 0 }), 'INVALID_OPTION', /depth.*1 to 60.*0/],
+  ['a depth of 61', build(cube(), { depth: 61 }), 'INVALID_OPTION', /depth.*61/],
+  ['half a depth', build(cube(), { depth: 7.5 }), 'INVALID_OPTION', /depth.*7\.5/],
+  ['depth in words', build(cube(), { depth: '9' }), 'INVALID_OPTION', /depth.*'9'/],
+  ['a negative tolerance', build(cube(), { tolerance: -1 }), 'INVALID_OPTION', /tolerance.*-1/],
+  [
+    'an infinite tolerance',
+    build(cube(), { relativeTolerance: Infinity }),
+    'INVALID_OPTION',
+    /relativeTolerance.*Infinity/,
+  ],
+  [
+    'progress that is no function',
+    build(cube(), { onProgress: 1 }),
+    'INVALID_OPTION',
+    /onProgress/,
+  ],
+  [
+    'an unknown extraction option',
+    () => {
+      const grid = kdm.buildGrid(cube());
+      try {
+        grid.extract({ depth: 3 });
+      } finally {
+        grid.delete();
+      }
+    },
+    'INVALID_OPTION',
+    /depth/,
+  ],
+  [
+    'quads that are not a flag',
+    () => {
+      const grid = kdm.buildGrid(cube());
+      try {
+        grid.extract({ quads: 1 });
+      } finally {
+        grid.delete();
+      }
+    },
+    'INVALID_OPTION',
+    /quads.*true or false/,
+  ],
+  ['an unknown format', () => kdm.parseMesh('', 'step'), 'INVALID_OPTION', /format.*'step'/],
+  ['an unknown output format', () => kdm.formatMesh(cube(), 'x3d'), 'INVALID_OPTION', /'x3d'/],
+  ['a malformed file', () => kdm.parseMesh('v 0 0\n', 'obj', 'a.obj'), 'PARSE_ERROR', /a\.obj.*1/],
+  [
+    'a truncated file',
+    () => kdm.parseMesh(kdm.formatMesh(cube(), 'stl').slice(0, 200), 'stl', 'cut.stl'),
+    'PARSE_ERROR',
+    /cut\.stl/,
+  ],
+  ['a stop by the callback', build(torus(64, 64), { onProgress: () => false }), 'ABORTED', /./],
+  ['use after delete: extract', () => deletedGrid().extract(), 'DELETED', /deleted/],
+  ['use after delete: stats', () => deletedGrid().stats, 'DELETED', /deleted/],
+  ['use after delete: input', () => deletedGrid().input, 'DELETED', /deleted/],
+  ['more memory than there is', () => kdm.buildGrid(enormous()), 'OUT_OF_MEMORY', /memory/],
+];
+
+test.each(table)('%s', (_, action, code, message) => {
+  let error;
+  try {
+    action();
+  } catch (caught) {
+    error = caught;
+  }
+  expect(error).toMatchObject({ name: 'KdManifoldError', code });
+  expect(error).toBeInstanceOf(Error);
+  expect(error.message).toMatch(message);
+  expect(error.message).not.toMatch(/\n/);
+  // The module works on.
+  const grid = kdm.buildGrid(cube());
+  expect(faults(grid.extract())).toEqual([]);
+  grid.delete();
+});
+
+test('an error of the callback comes out as it is', () => {
+  const mine = new TypeError('mine');
+  const onProgress = () => {
+    throw mine;
+  };
+  expect(build(torus(64, 64), { onProgress })).toThrow(mine);
+});
+
+const { AbortSignal } = globalThis;
+const asyncTable = [
+  ['an unknown option', cube(), { quick: true }, 'INVALID_OPTION', /quick/],
+  ['a signal that is none', cube(), { signal: {} }, 'INVALID_OPTION', /signal/],
+  ['transfer that is no flag', cube(), { transfer: 1 }, 'INVALID_OPTION', /transfer/],
+  ['progress that is no function', cube(), { onProgress: {} }, 'INVALID_OPTION', /onProgress/],
+  ['a bad mesh', { positions: [] }, {}, 'INVALID_MESH', /positions/],
+  ['an open mesh', { positions, indices: indices.slice(3) }, {}, 'NOT_CLOSED', /edge/],
+  ['an aborted signal', cube(), { signal: AbortSignal.abort('no') }, 'ABORTED', /stopped/],
+  ['too little memory', enormous(), { transfer: true }, 'OUT_OF_MEMORY', /memory/],
+];
+
+test.each(asyncTable)('makeManifold rejects: %s', async (_, mesh, options, code, message) => {
+  const error = await makeManifold(mesh, options).catch((caught) => caught);
+  expect(error).toMatchObject({ name: 'KdManifoldError', code });
+  expect(error.message).toMatch(message);
+  const { report } = await makeManifold(cube());
+  expect(report.output.twoManifold).toBe(true);
+});
+
+test('a WebAssembly file that is not there: LOAD_FAILED, and the next load works', async () => {
+  const fresh = await import('../../dist/load.js?fresh');
+  const missing = new URL('./missing.wasm', import.meta.url);
+  await expect(fresh.load({ wasmUrl: missing })).rejects.toMatchObject({ code: 'LOAD_FAILED' });
+  await expect(fresh.load({ wasmBinary: new Uint8Array(8) })).rejects.toMatchObject({
+    code: 'LOAD_FAILED',
+  });
+  expect((await fresh.load()).version).toBe(kdm.version);
+});
