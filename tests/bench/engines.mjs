@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+// This package and its peers behind one shape: a mesh goes in, a mesh and seconds by stage come
+// out. A peer that refuses an input says so with `refused`.
+import { load } from '../../dist/index.js';
+
+const now = () => performance.now() / 1000;
+
+/** Runs `work` and attributes the time between progress calls to the phase named first. */
+function timed(seconds, firstPhase, work) {
+  let phase = firstPhase;
+  let since = now();
+  const enter = (next) => {
+    const time = now();
+    seconds[phase] = (seconds[phase] ?? 0) + time - since;
+    phase = next;
+    since = time;
+  };
+  const result = work((_, next) => {
+    if (next !== phase) enter(next);
+  });
+  enter(phase);
+  return result;
+}
+
+/** One run of mesh -> grid -> mesh in WebAssembly. */
+export async function runWasm(bytes, format, setting) {
+  const kdm = await load();
+  const seconds = {};
+  const start = now();
+  const input = timed(seconds, 'read', () => kdm.parseMesh(bytes, format));
+  const grid = timed(seconds, 'prepare', (onProgress) =>
+    kdm.buildGrid(input, { ...setting, onProgress }),
+  );
+  try {
+    const mesh = timed(seconds, 'extract', (onProgress) => grid.extract({ onProgress }));
+    seconds.total = now() - start;
+    return { mesh, seconds, input: grid.input, stats: grid.stats };
+  } finally {
+    grid.delete();
+  }
+}
+
+/** meshoptimizer's voxel remesher: resolution cells on the longest axis, a triangle soup out. */
+export async function meshoptimizer(mesh, resolution) {
+  const { MeshoptSimplifier } = await import('meshoptimizer');
+  await MeshoptSimplifier.ready;
+  const positions = Float32Array.from(mesh.positions);
+  const start = now();
+  const soup = MeshoptSimplifier.remesh(mesh.indices, positions, 3, resolution);
+  const seconds = now() - start;
+  return { mesh: weld(soup), seconds };
+}
+
+let manifoldModule;
+
+/** manifold-3d takes closed manifold input only and gives it back as it is: a lower bound. */
+export async function manifold3d(mesh) {
+  if (manifoldModule === undefined) {
+    const { default: Module } = await import('manifold-3d');
+    manifoldModule = await Module();
+    manifoldModule.setup();
+  }
+  const { Manifold, Mesh } = manifoldModule;
+  const start = now();
+  let manifold;
+  try {
+    const input = new Mesh({
+      numProp: 3,
+      vertProperties: Float32Array.from(mesh.positions),
+      triVerts: Uint32Array.from(mesh.indices),
+    });
+    input.merge();
+    manifold = new Manifold(input);
+    const result = manifold.getMesh();
+    const seconds = now() - start;
+    return {
+      mesh: { positions: result.vertProperties.slice(), indices: result.triVerts.slice() },
+      seconds,
+    };
+  } catch (error) {
+    return { refused: error.code ?? error.message };
+  } finally {
+    manifold?.delete();
+  }
+}
+
+/** Joins corners of exactly equal position: peers give soups, which are judged at their best. */
+function weld(soup) {
+  const numbers = new Map();
+  const positions = [];
+  const indices = new Uint32Array(soup.length / 3);
+  for (let corner = 0; corner < indices.length; ++corner) {
+    const [x, y, z] = soup.subarray(3 * corner, 3 * corner + 3);
+    const key = `${x},${y},${z}`;
+    let number = numbers.get(key);
+    if (number === undefined) {
+      number = numbers.size;
+      numbers.set(key, number);
+      positions.push(x, y, z);
+    }
+    indices[corner] = number;
+  }
+  return { positions: Float32Array.from(positions), indices };
+}
