@@ -4,7 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
 #include <functional>
+#include <regex>
+#include <set>
+#include <sstream>
 #include <string>
 
 #include "grid/faces.h"
@@ -278,6 +283,27 @@ TEST(Validate, NoticesHitsThatNoWalkFinds) {
   expect_rule("every half-edge crosses a minimal face", [](GridData& g) {
     for (Cell& cell : g.cells) cell.clear_active();
   });
+}
+
+TEST(Validate, ItsRulesAreThoseOfTheReadme) {
+  const std::filesystem::path root =
+      std::filesystem::path(__FILE__).parent_path().parent_path().parent_path();
+  const auto matches_in = [&](const char* file, const std::regex& pattern) {
+    std::ifstream stream(root / "src" / file);
+    std::stringstream text;
+    text << stream.rdbuf();
+    const std::string all = text.str();
+    std::set<std::string> found;
+    for (std::sregex_iterator i(all.begin(), all.end(), pattern), end; i != end; ++i) {
+      found.insert((*i)[1]);
+    }
+    return found;
+  };
+  // Numbered lines without a full stop, and string literals that are no file names or formats.
+  const auto listed = matches_in("README.md", std::regex("\n[0-9]+\\. ([a-z][^.\n]*)(?=\n)"));
+  const auto checked = matches_in("grid/validate.cpp", std::regex("\"([^\"/{\n]+)\""));
+  EXPECT_EQ(listed.size(), 24u);
+  EXPECT_EQ(listed, checked);
 }
 
 }  // namespace

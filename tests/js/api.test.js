@@ -228,5 +228,5 @@ test('meshes are parsed from text, bytes and buffers', () => {
 
 test('formats go by extension', () => {
   expect(formatFromPath('a/b.c/Part.STL')).toBe('stl');
-  expect(() => formatFromPath('part')).toThrow('unknown file type');
+  expect(() => formatFromPath('part')).toThrow('ends in none of');
 });

@@ -74,7 +74,8 @@ export function checkMesh(mesh: MeshInput): MeshInput {
   const { positions, indices, sourceFaces } = checkPolygonMesh(
     typeof mesh === 'object' && mesh !== null ? { ...mesh, quads: null } : mesh,
   );
-  if ((indices ?? positions).length === 0) fail('the mesh has no triangles');
+  if (positions.length === 0) fail('the mesh has no vertices');
+  if (indices?.length === 0) fail('the mesh has no faces');
   return { positions, indices, sourceFaces };
 }
 

@@ -23,7 +23,7 @@ export function formatFromPath(path: string): MeshFormat {
   if (formats.includes(extension)) return extension as MeshFormat;
   throw new KdManifoldError(
     'IO_ERROR',
-    `${path}: unknown file type '${extension}', expected one of ${formats.join(', ')}`,
+    `${path}: the file's name ends in none of .obj, .stl, .ply and .off`,
   );
 }
 

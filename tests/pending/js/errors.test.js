@@ -82,14 +82,9 @@ const table = [
     'no vertices',
     build({ positions: new Float32Array(), indices: new Uint32Array() }),
     'INVALID_MESH',
-    /no triangles/,
+    /no faces/,
   ],
-  [
-    'no triangles',
-    build({ positions, indices: new Uint32Array() }),
-    'INVALID_MESH',
-    /no triangles/,
-  ],
+  ['no triangles', build({ positions, indices: new Uint32Array() }), 'INVALID_MESH', /no faces/],
   [
     'source faces of the wrong number',
     build({ positions, indices, sourceFaces: new Uint32Array(3) }),

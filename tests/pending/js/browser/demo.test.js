@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+// The demo page as a visitor meets it, in Chromium: built, served, under its own strict policy.
+import { mkdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { load } from '../../../dist/index.js';
+import { launch, openPage } from '../support/browser.js';
+import { cube, faults, together, torus } from '../support/meshes.js';
+import { execute, root } from '../support/paths.js';
+import { serve } from '../support/server.js';
+
+const screenshots = join(root, 'tests/js/screenshots');
+let browser;
+let server;
+let kdm;
+let page;
+let errors;
+
+beforeAll(async () => {
+  mkdirSync(screenshots, { recursive: true });
+  const vite = join(root, 'node_modules/.bin/vite');
+  const built = execute(vite, ['build', '-c', 'web/demo/vite.config.ts', '--logLevel', 'warn'], {
+    cwd: root,
+  });
+  expect({ status: built.status, stderr: built.stderr }).toMatchObject({ status: 0 });
+  kdm = await load();
+  server = await serve(join(root, 'build/demo'));
+  browser = await launch();
+  ({ page, errors } = await openPage(browser, `${server.address}/`));
+}, 180_000);
+
+afterAll(async () => {
+  await browser?.close();
+  await server?.close();
+});
+
+afterEach(() => expect(errors).toEqual([]));
+
+const settled = () =>
+  page.waitForFunction(() => ['done', 'error'].includes(document.body.dataset.state), null, {
+    timeout: 60_000,
+  });
+const busyThenSettled = async (action) => {
+  await page.evaluate(() => (document.body.dataset.state = 'waiting'));
+  await action();
+  await settled();
+};
+const text = (selector) => page.locator(selector).innerText();
+const file = (name, mesh) => ({
+  name,
+  mimeType: 'application/octet-stream',
+  buffer: Buffer.from(kdm.formatMesh(mesh, name.split('.').at(-1))),
+});
+const choose = (...args) =>
+  busyThenSettled(() =>
+    page.locator('#file').setInputFiles(args.length > 1 ? file(...args) : args[0]),
+  );
+const fact = async (table, name) => {
+  const row = page
+    .locator(`#${table} tr`)
+    .filter({ has: page.getByRole('rowheader', { name, exact: true }) });
+  return row.locator('td').innerText();
+};
+
+test('starts with a sample already converted', async () => {
+  await settled();
+  expect(await text('#verdict')).toMatch(
+    /^Closed · 2-manifold · 1 part · Euler characteristic -?\d+$/,
+  );
+  expect(await text('#input-name')).toMatch(/Bracket.*900 triangles/);
+  expect(await text('#output-name')).toMatch(/[\d,]+ triangles/);
+  expect(await fact('input-facts', 'Parts')).toBe('5');
+  expect(await fact('output-facts', '2-manifold')).toBe('yes');
+  expect(await fact('grid-facts', 'Build')).toMatch(/^[\d.]+ s$/);
+  await page.screenshot({ path: join(screenshots, 'start.png') });
+});
+
+test('both views show something, and not the same', async () => {
+  const shot = (id) => page.locator(id).screenshot();
+  const [input, output] = [await shot('#input-view'), await shot('#output-view')];
+  const empty = 4000; // bytes of an image of one colour with a caption
+  expect(input.length).toBeGreaterThan(empty);
+  expect(output.length).toBeGreaterThan(empty);
+});
+
+test('a chosen file is converted', async () => {
+  await choose('ring.stl', torus());
+  expect(await text('#verdict')).toBe('Closed · 2-manifold · 1 part · Euler characteristic 0');
+  expect(await text('#input-name')).toBe('ring.stl, 1,024 triangles');
+});
+
+test('a dropped file is converted', async () => {
+  const content = [...kdm.formatMesh(together(cube(2), cube(2, [9, 0, 0])), 'obj')];
+  const transfer = await page.evaluateHandle((bytes) => {
+    const data = new window.DataTransfer();
+    data.items.add(new window.File([new Uint8Array(bytes)], 'two cubes.obj'));
+    return data;
+  }, content);
+  await busyThenSettled(() => page.dispatchEvent('#stage', 'drop', { dataTransfer: transfer }));
+  expect(await text('#verdict')).toBe('Closed · 2-manifold · 2 parts · Euler characteristic 4');
+  expect(await text('#input-name')).toBe('two cubes.obj, 24 triangles');
+  await page.screenshot({ path: join(screenshots, 'dropped.png') });
+});
+
+test('strategy and depth change the result', async () => {
+  await busyThenSettled(() => page.selectOption('#strategy', 'uniform'));
+  expect(await page.locator('#depth').isVisible()).toBe(true);
+  expect(await page.locator('#tolerance').isVisible()).toBe(false);
+  const before = await fact('output-facts', 'Triangles');
+  await busyThenSettled(() => page.locator('#depth').fill('12'));
+  expect(await fact('output-facts', 'Triangles')).not.toBe(before);
+  expect(await fact('grid-facts', 'Depth reached')).toBe('12');
+  await busyThenSettled(() => page.selectOption('#strategy', 'adaptive'));
+  expect(await page.locator('#tolerance').isVisible()).toBe(true);
+});
+
+test('wireframe, edges and cut change the picture, not the result', async () => {
+  const picture = async () => {
+    await page.waitForTimeout(300);
+    return (await page.locator('#stage').screenshot()).toString('base64');
+  };
+  const plain = await picture();
+  await page.locator('#wireframe').check();
+  const wired = await picture();
+  expect(wired).not.toBe(plain);
+  await page.locator('#wireframe').uncheck();
+  await page.locator('#cut').fill('50');
+  expect(await picture()).not.toBe(plain);
+  await page.screenshot({ path: join(screenshots, 'cut.png') });
+  await page.locator('#cut').fill('0');
+  expect(await picture()).toBe(plain);
+  expect(await page.getAttribute('body', 'data-state')).toBe('done');
+});
+
+test('the view turns by keyboard and comes back', async () => {
+  const picture = async () => {
+    await page.waitForTimeout(300);
+    return (await page.locator('#input-view').screenshot()).toString('base64');
+  };
+  const before = await picture();
+  await page.locator('#stage').focus();
+  await page.keyboard.press('ArrowRight');
+  expect(await picture()).not.toBe(before);
+  await page.locator('#reset-view').click();
+  expect(await picture()).toBe(before);
+});
+
+test.each(['obj', 'stl', 'ply'])('the result can be downloaded as %s', async (format) => {
+  const [download] = await Promise.all([
+    page.waitForEvent('download'),
+    page.locator(`#save-${format}`).click(),
+  ]);
+  expect(download.suggestedFilename()).toBe(`two cubes-manifold.${format}`);
+  const mesh = kdm.parseMesh(readFileSync(await download.path()), format);
+  if (format === 'stl') expect(mesh.indices.length).toBeGreaterThan(0);
+  else expect(faults(mesh)).toEqual([]);
+});
+
+test('an open mesh: the error is text on the page, with its code and the edge', async () => {
+  const { positions, indices } = cube();
+  await choose('open.ply', { positions, indices: indices.slice(3) });
+  expect(await text('#error')).toMatch(/^NOT_CLOSED: .*edge/);
+  expect(await text('#verdict')).toBe('No result.');
+  expect(await page.locator('#save-obj').isDisabled()).toBe(true);
+  await page.screenshot({ path: join(screenshots, 'error.png') });
+});
+
+test('a file that is no mesh, and a file of an unknown type', async () => {
+  await choose({ name: 'bad.obj', mimeType: 'text/plain', buffer: Buffer.from('v 1 2\n') });
+  expect(await text('#error')).toMatch(/^PARSE_ERROR: bad\.obj.*1/);
+  await choose({ name: 'part.step', mimeType: 'text/plain', buffer: Buffer.from('ISO') });
+  expect(await text('#error')).toMatch(/^IO_ERROR: part\.step/);
+});
+
+test('after errors every sample still works', async () => {
+  const count = await page.locator('#sample option').count();
+  expect(count).toBeGreaterThanOrEqual(4);
+  for (let i = 0; i < count; ++i) {
+    await busyThenSettled(async () => {
+      await page.locator('#sample').selectOption({ index: (i + 1) % count });
+    });
+    expect(await page.locator('#error').isVisible()).toBe(false);
+    expect(await text('#verdict')).toMatch(/^Closed · 2-manifold/);
+  }
+});
+
+test('stop ends a long conversion', async () => {
+  await page.selectOption('#strategy', 'uniform');
+  await page.locator('#depth').fill('27');
+  await page.locator('#cancel').click();
+  await settled();
+  expect(await text('#error')).toMatch(/^ABORTED/);
+  await busyThenSettled(() => page.selectOption('#strategy', 'adaptive'));
+  expect(await text('#verdict')).toMatch(/^Closed/);
+});
+
+test('dark and on a narrow screen', async () => {
+  const { page: narrow, errors: narrowErrors } = await openPage(browser, `${server.address}/`, {
+    viewport: { width: 400, height: 800 },
+    colorScheme: 'dark',
+  });
+  await narrow.waitForFunction(() => document.body.dataset.state === 'done');
+  const overflow = await narrow.evaluate(
+    () => document.documentElement.scrollWidth - document.documentElement.clientWidth,
+  );
+  expect(overflow).toBe(0);
+  await narrow.waitForTimeout(300);
+  await narrow.screenshot({ path: join(screenshots, 'narrow-dark.png'), fullPage: true });
+  expect(narrowErrors).toEqual([]);
+  await narrow.close();
+});

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: MIT
+// The two command lines, native and in Node: same options, same files, same report, same status.
+import { existsSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { load } from '../../dist/index.js';
+import { buildOptions, extractOptions } from '../../dist/options.js';
+import { cube, faults, together, torus } from './support/meshes.js';
+import { execute, nativeCli, nodeCli, withFolder } from './support/paths.js';
+
+const programs = [
+  ['native', (args, options) => execute(nativeCli, args, options)],
+  ['Node', (args, options) => execute(process.execPath, [nodeCli, ...args], options)],
+];
+const both = (args, options) => programs.map(([, run]) => run(args, options));
+
+let kdm;
+beforeAll(async () => {
+  kdm = await load();
+});
+
+const write = (path, mesh) =>
+  writeFileSync(path, kdm.formatMesh(mesh, path.slice(path.lastIndexOf('.') + 1)));
+
+const keysOf = (value) =>
+  value !== null && typeof value === 'object'
+    ? Object.fromEntries(Object.entries(value).map(([key, inner]) => [key, keysOf(inner)]))
+    : typeof value;
+
+const optionSets = [
+  [],
+  ['--tolerance', '0.05'],
+  ['--relative-tolerance=0.01'],
+  ['--strategy', 'octree', '--depth', '15'],
+  ['--strategy', 'median', '--depth', '15', '--inside', 'nonzero'],
+  ['--strategy', 'uniform', '--depth', '12', '--quads', '--pairing', 'hermite'],
+  ['--strategy', 'uniform', '--depth', '9', '--no-strict', '--inside', 'odd'],
+];
+
+test.each(optionSets.map((set) => [set.join(' '), set]))(
+  'the same bytes and numbers from both: %s',
+  (_, set) =>
+    withFolder((folder) => {
+      const input = join(folder, 'input.ply');
+      write(input, together(torus(), cube(3, [2.5, 0.2, 0.1])));
+      for (const format of ['obj', 'stl', 'ply', 'off']) {
+        const [native, node] = programs.map(([name, run]) => {
+          const output = join(folder, `${name}.${format}`);
+          const result = run([input, '-o', output, '--json', '--check', ...set]);
+          expect(result.stderr).toBe('');
+          const report = JSON.parse(result.stdout);
+          expect(result.status).toBe(report.output.twoManifold ? 0 : 1);
+          return { bytes: readFileSync(output), report };
+        });
+        expect(node.bytes.equals(native.bytes)).toBe(true);
+        expect(keysOf(node.report)).toEqual(keysOf(native.report));
+        expect(JSON.stringify(keysOf(node.report))).toBe(JSON.stringify(keysOf(native.report)));
+        for (const part of ['input', 'output', 'check']) {
+          expect(node.report[part]).toEqual(native.report[part]);
+        }
+        // Sizes in memory differ with the width of pointers; nothing else does.
+        const { bytes: nodeBytes, ...nodeGrid } = node.report.grid;
+        const { bytes: nativeBytes, ...nativeGrid } = native.report.grid;
+        expect(nodeGrid).toEqual(nativeGrid);
+        expect(nodeBytes * nativeBytes).toBeGreaterThan(0);
+      }
+    }),
+);
+
+test('every format is read by both alike', () =>
+  withFolder((folder) => {
+    for (const format of ['obj', 'stl', 'ply', 'off']) {
+      const input = join(folder, `input.${format}`);
+      write(input, torus());
+      const [native, node] = programs.map(([name, run]) => {
+        const output = join(folder, `${name}-${format}.ply`);
+        expect(run([input, '-o', output]).status).toBe(0);
+        return readFileSync(output);
+      });
+      expect(node.equals(native)).toBe(true);
+    }
+  }));
+
+test('the text for people is the same but for times and sizes', () =>
+  withFolder((folder) => {
+    const input = join(folder, 'input.obj');
+    write(input, torus());
+    const [native, node] = both([input, '--check']).map(({ status, stdout }) => {
+      expect(status).toBe(0);
+      return stdout.replace(/\d+\.\d+/g, '#');
+    });
+    expect(node).toBe(native);
+    expect(node).toContain('2-manifold');
+  }));
+
+test('without -o the report comes and no file', () =>
+  withFolder((folder) => {
+    write(join(folder, 'a.obj'), cube());
+    for (const { status, stdout } of both(['a.obj', '--json'], { cwd: folder })) {
+      expect(status).toBe(0);
+      expect(JSON.parse(stdout).seconds).not.toHaveProperty('write');
+    }
+    expect(readdirSync(folder)).toEqual(['a.obj']);
+  }));
+
+test('a raw surface that is not 2-manifold: --check says so, status 1, file written', () =>
+  withFolder((folder) => {
+    // Two cubes that meet in an edge.
+    write(join(folder, 'a.obj'), together(cube(2), cube(2, [2, 2, 0])));
+    const set = ['--strategy', 'uniform', '--depth', '9', '--no-strict', '--check', '--json'];
+    for (const [name, run] of programs) {
+      const { status, stdout } = run(['a.obj', '-o', `${name}.obj`, ...set], { cwd: folder });
+      const { check } = JSON.parse(stdout);
+      expect(status).toBe(check.twoManifold ? 0 : 1);
+      const read = kdm.parseMesh(readFileSync(join(folder, `${name}.obj`)), 'obj');
+      expect(faults(read).length === 0).toBe(check.twoManifold);
+    }
+  }));
+
+const broken = {
+  'open.obj': 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n',
+  'malformed.obj': 'v 0 0 0\nv 1 zero 0\n',
+  'range.obj': 'v 0 0 0\nf 1 2 9\n',
+  'empty.obj': '',
+  'cut.ply': 'ply\nformat binary_little_endian 1.0\nelement vertex 5\n',
+  'nonsense.stl': 'hello',
+  'short.off': 'OFF\n4 4 0\n0 0 0\n',
+  'model.step': 'ISO-10303-21;',
+};
+
+test.each(Object.entries(broken))('bad input %s: status 2, one line, no file', (name, content) =>
+  withFolder((folder) => {
+    writeFileSync(join(folder, name), content);
+    for (const { status, stdout, stderr } of both([name, '-o', 'out.obj'], { cwd: folder })) {
+      expect({ status, stdout }).toEqual({ status: 2, stdout: '' });
+      expect(stderr).toMatch(/^kdmanifold: [^\n]+\n$/);
+      expect(stderr).toContain(name);
+    }
+    expect(readdirSync(folder)).toEqual([name]);
+  }),
+);
+
+test('bad input: both say the same', () =>
+  withFolder((folder) => {
+    for (const [name, content] of Object.entries(broken)) {
+      writeFileSync(join(folder, name), content);
+      const [native, node] = both([name], { cwd: folder });
+      expect(node.stderr).toBe(native.stderr);
+    }
+  }));
+
+const wrong = [
+  [[], /INPUT/i],
+  [['missing.obj'], /missing\.obj/],
+  [['a.obj', '--depth', '0'], /--depth.*1 to 60/],
+  [['a.obj', '--depth', 'deep'], /--depth.*'deep'/],
+  [['a.obj', '--strategy', 'best'], /--strategy.*'best'/],
+  [['a.obj', '--tolerance=-1'], /--tolerance.*'-1'/],
+  [['a.obj', '--tolerance', 'inf'], /--tolerance.*'inf'/],
+  [['a.obj', '--unheard-of'], /--unheard-of/],
+  [['a.obj', '-o', 'out.step'], /out\.step/],
+  [['a.obj', '-o', 'no/such/folder/out.obj'], /no\/such\/folder/],
+  [['a.obj', '--depth'], /--depth/],
+];
+
+test.each(wrong.map(([args, message]) => [args.join(' '), args, message]))(
+  'wrong arguments "%s": status 2, one line, no file',
+  (_, args, message) =>
+    withFolder((folder) => {
+      write(join(folder, 'a.obj'), cube());
+      for (const { status, stdout, stderr } of both(args, { cwd: folder })) {
+        expect({ status, stdout }).toEqual({ status: 2, stdout: '' });
+        expect(stderr).toMatch(/^kdmanifold: [^\n]+\n$/);
+        expect(stderr).toMatch(message);
+      }
+      expect(readdirSync(folder)).toEqual(['a.obj']);
+    }),
+);
+
+test('an existing file is kept when the new one cannot be made', () =>
+  withFolder((folder) => {
+    writeFileSync(join(folder, 'bad.obj'), broken['malformed.obj']);
+    writeFileSync(join(folder, 'out.obj'), 'precious');
+    for (const { status } of both(['bad.obj', '-o', 'out.obj'], { cwd: folder })) {
+      expect(status).toBe(2);
+      expect(readFileSync(join(folder, 'out.obj'), 'utf8')).toBe('precious');
+    }
+  }));
+
+test('--help lists the same options in both, and they are those of the interface', () => {
+  const names = both(['--help']).map(({ status, stdout }) => {
+    expect(status).toBe(0);
+    return [...new Set(stdout.match(/(?<=[\s,])--[a-z-]+/g))].sort();
+  });
+  expect(names[1]).toEqual(names[0]);
+  const dashed = (name) => name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
+  const own = ['--check', '--help', '--json', '--output', '--version'];
+  const fromTable = Object.entries({ ...buildOptions, ...extractOptions }).map(([name, spec]) =>
+    spec.kind === 'flag' && spec.default ? `--no-${dashed(name)}` : `--${dashed(name)}`,
+  );
+  expect(names[1].filter((name) => !own.includes(name))).toEqual(fromTable.sort());
+  for (const spec of Object.values(buildOptions)) {
+    if (spec.kind !== 'choice') continue;
+    for (const { stdout } of both(['--help'])) expect(stdout).toContain(spec.values.join('|'));
+  }
+});
+
+test('--version', () => {
+  for (const { status, stdout } of both(['--version'])) {
+    expect(status).toBe(0);
+    expect(stdout).toBe(`kdmanifold ${kdm.version}\n`);
+  }
+});
+
+test('the command line of the checkout can be called by its name', () => {
+  expect(existsSync(nodeCli)).toBe(true);
+  const { status, stdout } = execute(nodeCli, ['--version']);
+  expect({ status, stdout }).toEqual({ status: 0, stdout: `kdmanifold ${kdm.version}\n` });
+});

@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: MIT
+// What each split strategy promises of the tree and of the result.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "geometry/predicates.h"
+#include "grid/grid_data.h"
+#include "grid/validate.h"
+#include "kdmanifold/build.h"
+#include "kdmanifold/extract.h"
+#include "support/mesh_assert.h"
+#include "support/random.h"
+#include "support/random_meshes.h"
+#include "support/shapes.h"
+
+namespace kdm {
+namespace {
+
+constexpr std::array<SplitStrategy, 4> kStrategies{SplitStrategy::kAdaptive, SplitStrategy::kOctree,
+                                                   SplitStrategy::kMedian, SplitStrategy::kUniform};
+
+struct Leaf {
+  Index cell = 0;
+  int depth = 0;
+};
+
+// The leaf that holds a point of model space.
+Leaf leaf_at(const GridData& grid, const Vec3& model) {
+  const Vec3 p = grid.lattice.to_lattice(model);
+  Leaf leaf;
+  while (!grid.cells[leaf.cell].leaf()) {
+    const Cell& cell = grid.cells[leaf.cell];
+    leaf.cell = p[cell.axis()] <= cell.value() ? cell.below() : cell.above();
+    ++leaf.depth;
+  }
+  return leaf;
+}
+
+// Random points of the mesh's surface, with their triangles.
+std::vector<std::pair<Vec3, Index>> surface_points(const Mesh& mesh, int each) {
+  check::Random random(1);
+  std::vector<std::pair<Vec3, Index>> points;
+  for (Index t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& [a, b, c] = mesh.triangles[t];
+    for (int i = 0; i < each; ++i) {
+      double u = random.unit();
+      double v = random.unit();
+      if (u + v > 1) {
+        u = 1 - u;
+        v = 1 - v;
+      }
+      points.emplace_back(mesh.positions[a] + u * (mesh.positions[b] - mesh.positions[a]) +
+                              v * (mesh.positions[c] - mesh.positions[a]),
+                          t);
+    }
+  }
+  return points;
+}
+
+int deepest(const GridData& grid) {
+  std::vector<int> depth(grid.cells.size(), 0);
+  for (std::size_t c = 0; c < grid.cells.size(); ++c) {
+    const Cell& cell = grid.cells[c];
+    if (!cell.leaf()) depth[cell.below()] = depth[cell.above()] = depth[c] + 1;
+  }
+  return *std::max_element(depth.begin(), depth.end());
+}
+
+Mesh tilted(const Mesh& mesh) { return shapes::rotated(mesh, Vec3(1, 2, 3), 0.7); }
+
+TEST(SplitRules, NoneGoesBelowTheDepthLimit) {
+  for (const Mesh& mesh : {shapes::cube(), tilted(shapes::torus(1, 0.4, 16, 8)),
+                           shapes::random_tetrahedra(4, 1), shapes::integer_tetrahedra(6, 3, 1)}) {
+    for (const SplitStrategy strategy : kStrategies) {
+      for (const int depth : {1, 2, 3, 7, 10}) {
+        const Grid grid = build_grid(mesh, {.strategy = strategy, .depth = depth});
+        EXPECT_LE(deepest(grid.data()), depth);
+        EXPECT_EQ(grid.stats().depth, deepest(grid.data()));
+        EXPECT_EQ(grid.stats().cells, 2 * grid.stats().leaves - 1);
+        EXPECT_EQ(grid.stats().cells, grid.data().cells.size());
+        EXPECT_EQ(grid.stats().hits, grid.data().hits.size());
+        EXPECT_GT(grid.stats().bytes, 8 * grid.stats().cells + 32 * grid.stats().hits);
+      }
+    }
+  }
+}
+
+// --- Uniform -------------------------------------------------------------------------------------
+
+TEST(SplitRules, UniformGoesToTheFullDepthAtTheSurface) {
+  const Mesh mesh = tilted(shapes::torus(1, 0.4, 16, 8));
+  for (const int depth : {1, 5, 9, 12}) {
+    const Grid grid = build_grid(mesh, {.strategy = SplitStrategy::kUniform, .depth = depth});
+    for (const auto& [point, triangle] : surface_points(mesh, 10)) {
+      ASSERT_EQ(leaf_at(grid.data(), point).depth, depth);
+    }
+  }
+}
+
+// Every split halves its cell along the axis whose turn it is.
+void expect_midpoints_in_turn(const GridData& grid) {
+  const std::vector<LatticeBox> boxes = cell_boxes(grid);
+  std::vector<int> depth(grid.cells.size(), 0);
+  for (std::size_t c = 0; c < grid.cells.size(); ++c) {
+    const Cell& cell = grid.cells[c];
+    if (cell.leaf()) continue;
+    depth[cell.below()] = depth[cell.above()] = depth[c] + 1;
+    ASSERT_EQ(cell.axis(), depth[c] % 3);
+    ASSERT_EQ(2 * cell.value(), boxes[c].lo[cell.axis()] + boxes[c].hi[cell.axis()]);
+  }
+}
+
+TEST(SplitRules, UniformAndOctreeSplitAtMidpointsInTurn) {
+  const Mesh mesh = tilted(shapes::torus(1, 0.4, 16, 8));
+  const Grid uniform = build_grid(mesh, {.strategy = SplitStrategy::kUniform, .depth = 10});
+  expect_midpoints_in_turn(uniform.data());
+  EXPECT_LT(uniform.stats().leaves, 1u << 9) << "cells without surface are left whole";
+  expect_midpoints_in_turn(
+      build_grid(mesh, {.strategy = SplitStrategy::kOctree, .relative_tolerance = 0.01}).data());
+}
+
+// --- Octree --------------------------------------------------------------------------------------
+
+TEST(SplitRules, OctreeLeavesPlaneCellsWhole) {
+  const Mesh cube = tilted(shapes::cube());
+  const Grid full = build_grid(cube, {.strategy = SplitStrategy::kUniform, .depth = 15});
+  const Grid grid = build_grid(
+      cube, {.strategy = SplitStrategy::kOctree, .relative_tolerance = 0, .depth = 15});
+  EXPECT_LT(20 * grid.stats().leaves, full.stats().leaves);
+  for (const auto& [point, triangle] : surface_points(shapes::cube(), 50)) {
+    // The middle of a side is plane far around it.
+    if ((point - Vec3::Constant(0.5)).norm() > 0.55) continue;
+    Mesh one_point;
+    one_point.positions = {point};
+    const Vec3 turned = shapes::rotated(one_point, Vec3(1, 2, 3), 0.7).positions[0];
+    EXPECT_LE(leaf_at(grid.data(), turned).depth, 9);
+  }
+}
+
+TEST(SplitRules, OctreeFollowsCurvature) {
+  const Mesh sphere = shapes::icosphere(3);
+  Index last = 0;
+  for (const double tolerance : {0.05, 0.01, 0.002}) {
+    const Grid grid =
+        build_grid(sphere, {.strategy = SplitStrategy::kOctree, .tolerance = tolerance});
+    EXPECT_GT(grid.stats().leaves, 2 * last) << "a smaller tolerance takes more leaves";
+    last = grid.stats().leaves;
+  }
+}
+
+// --- Median --------------------------------------------------------------------------------------
+
+// Triangles of the input that no hit names.
+std::vector<Index> not_hit(const Mesh& mesh, const GridData& grid) {
+  std::vector<char> hit(mesh.triangles.size(), 0);
+  for (const Hit& h : grid.hits) hit[grid.source_faces[h.plane()]] = 1;
+  std::vector<Index> rest;
+  for (Index t = 0; t < mesh.triangles.size(); ++t) {
+    if (hit[t] == 0) rest.push_back(t);
+  }
+  return rest;
+}
+
+TEST(SplitRules, MedianGoesOnUntilEveryTriangleIsHit) {
+  for (const Mesh& mesh :
+       {shapes::cube(), tilted(shapes::cube()),
+        shapes::subdivided(shapes::subdivided(shapes::cube())), shapes::icosphere(2),
+        shapes::torus(1, 0.4, 24, 12), shapes::stairs(4), shapes::plate_with_holes(3, 2),
+        tilted(shapes::glass(0.02)), shapes::swiss_cheese(4), shapes::thin_walled_box(0.01)}) {
+    const Grid grid = build_grid(mesh, {.strategy = SplitStrategy::kMedian, .depth = 60});
+    ASSERT_LT(grid.stats().depth, 60);
+    EXPECT_EQ(not_hit(mesh, grid.data()), std::vector<Index>());
+  }
+}
+
+TEST(SplitRules, MedianStopsEarlierOnlyAtTheDepthLimit) {
+  const Mesh mesh = tilted(shapes::torus(1, 0.4, 24, 12));
+  for (const int depth : {4, 7, 9}) {
+    const Grid grid = build_grid(mesh, {.strategy = SplitStrategy::kMedian, .depth = depth});
+    const std::vector<Index> rest = not_hit(mesh, grid.data());
+    EXPECT_FALSE(rest.empty()) << "the limit is felt";
+    for (const Index t : rest) {
+      Vec3 centre = Vec3::Zero();
+      for (const Index v : mesh.triangles[t]) centre += mesh.positions[v] / 3;
+      EXPECT_EQ(leaf_at(grid.data(), centre).depth, depth) << "triangle " << t;
+    }
+  }
+}
+
+TEST(SplitRules, MedianHalvesTheTriangles) {
+  const Mesh mesh = shapes::icosphere(4);
+  const Grid handle = build_grid(mesh, {.strategy = SplitStrategy::kMedian});
+  const GridData& grid = handle.data();
+  Index below = 0;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const Vec3 centre = (mesh.positions[a] + mesh.positions[b] + mesh.positions[c]) / 3;
+    const double x = grid.lattice.to_lattice(centre)[grid.cells[0].axis()];
+    below += x < grid.cells[0].value() ? 1 : 0;
+  }
+  const auto triangles = static_cast<double>(mesh.triangles.size());
+  EXPECT_NEAR(below, triangles / 2, triangles * 0.05);
+  // Log2 of the triangles and the splits in three directions that each of the last ones needs.
+  EXPECT_LE(grid.stats.depth, 13 + 6);
+}
+
+// --- Adaptive ------------------------------------------------------------------------------------
+
+TEST(SplitRules, AdaptiveMeetsItsToleranceWithFewFaces) {
+  const Mesh sphere = shapes::icosphere(4);
+  std::size_t last = 0;
+  for (const double tolerance : {0.05, 0.02, 0.005}) {
+    const Grid grid = build_grid(sphere, {.tolerance = tolerance});
+    EXPECT_TRUE(grid.stats().topology_resolved);
+    EXPECT_EQ(grid.stats().unresolved_leaves, 0u);
+    const ExtractedMesh out = extract(grid);
+    for (const Vec3& p : out.positions) {
+      ASSERT_LE(std::abs(p.norm() - 1), tolerance + 0.005) << "the input is off by up to 0.003";
+    }
+    EXPECT_GT(out.triangles.size(), last);
+    last = out.triangles.size();
+  }
+}
+
+TEST(SplitRules, AdaptiveResolvesTheTopologyOfEmbeddedInput) {
+  for (const Mesh& mesh :
+       {tilted(shapes::thin_walled_box(0.02)), tilted(shapes::torus(1, 0.1, 24, 8)),
+        tilted(shapes::torus_chain(2)), tilted(shapes::plate_with_holes(2, 1)),
+        tilted(shapes::swiss_cheese(3))}) {
+    const check::MeshCheck input = check::check_mesh(mesh);
+    const Grid grid = build_grid(mesh, {.relative_tolerance = 0.05});
+    EXPECT_TRUE(grid.stats().topology_resolved);
+    const check::MeshCheck result = check::check_mesh(extract(grid));
+    EXPECT_TRUE(result.two_manifold) << result.faults();
+    EXPECT_EQ(result.components, input.components);
+    EXPECT_EQ(result.euler_characteristic, input.euler_characteristic);
+  }
+}
+
+TEST(SplitRules, WhatIsGivenUpIsReported) {
+  const Grid grid = build_grid(tilted(shapes::thin_walled_box(0.01)), {.depth = 6});
+  EXPECT_FALSE(grid.stats().topology_resolved);
+  EXPECT_GT(grid.stats().unresolved_leaves, 0u);
+  for (const SplitStrategy strategy : {SplitStrategy::kMedian, SplitStrategy::kUniform}) {
+    const Grid other = build_grid(shapes::cube(), {.strategy = strategy, .depth = 6});
+    EXPECT_FALSE(other.stats().topology_resolved) << "these do not look";
+    EXPECT_EQ(other.stats().unresolved_leaves, 0u);
+  }
+}
+
+// --- Volumes -------------------------------------------------------------------------------------
+
+double volume_error(const Mesh& mesh, const BuildOptions& options) {
+  const check::MeshCheck result = check::check_mesh(extract(build_grid(mesh, options)));
+  EXPECT_TRUE(result.two_manifold) << result.faults();
+  const double volume = shapes::signed_volume(mesh);
+  return std::abs(result.volume - volume) / volume;
+}
+
+TEST(SplitRules, ACubeKeepsItsVolume) {
+  for (const Mesh& cube :
+       {shapes::cube(), shapes::translated(shapes::cube(), Vec3(0.3, 7, -2)),
+        shapes::scaled(shapes::cube(), Vec3(1, 0.7, 0.4)), shapes::subdivided(shapes::cube())}) {
+    EXPECT_LT(volume_error(cube, {.strategy = SplitStrategy::kOctree, .depth = 9}), 1e-5);
+    EXPECT_LT(volume_error(cube, {}), 1e-5);
+  }
+}
+
+TEST(SplitRules, ATurnedCubeKeepsItsVolumeBetterTheDeeperTheOctree) {
+  for (const Vec3& axis : {Vec3(1, 2, 3), Vec3(0, 0, 1), Vec3(-2, 1, 0.5), Vec3(1, 1, 1)}) {
+    const Mesh cube = shapes::rotated(shapes::cube(), axis, 0.6);
+    const auto error = [&](int depth) {
+      return volume_error(
+          cube, {.strategy = SplitStrategy::kOctree, .relative_tolerance = 0, .depth = depth});
+    };
+    const double coarse = error(9);
+    const double fine = error(12);
+    const double finest = error(15);
+    EXPECT_LT(coarse, 0.02);
+    EXPECT_LE(fine, coarse);
+    EXPECT_LE(finest, fine);
+    EXPECT_LT(finest, 1e-3);
+  }
+}
+
+}  // namespace
+}  // namespace kdm

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// Compiled under `tsc --strict` against the packed package, never run: what must be legal, and (after
+// @ts-expect-error) what must not.
+import {
+  Grid,
+  KdManifoldError,
+  load,
+  makeManifold,
+  type BuildOptions,
+  type Conversion,
+  type ErrorCode,
+  type Mesh,
+  type MeshInput,
+  type Report,
+} from 'kdmanifold';
+import { fromBufferGeometry, toBufferGeometry } from 'kdmanifold/three';
+import { BoxGeometry, type BufferGeometry } from 'three';
+
+const soup: MeshInput = { positions: new Float32Array(9) };
+const indexed: MeshInput = { positions: new Float64Array(9), indices: new Uint16Array(3) };
+
+const conversion: Conversion = await makeManifold(soup, {
+  strategy: 'adaptive',
+  tolerance: 0.05,
+  inside: 'odd',
+  quads: true,
+  transfer: true,
+  signal: new AbortController().signal,
+  onProgress: (fraction, phase) => fraction < 1 || phase === 'done',
+});
+const report: Report = conversion.report;
+const words: [boolean, number, number] = [
+  report.output.twoManifold,
+  report.grid.unresolvedLeaves,
+  report.input.cancelledFaces,
+];
+
+const kdm = await load({ wasmUrl: 'https://example.org/kdmanifold.wasm' });
+const options: BuildOptions = { strategy: 'median', depth: 12, pairing: 'trace' };
+const grid: Grid = kdm.buildGrid(indexed, options);
+const mesh: Mesh = grid.extract({ strict: false });
+const triangles: Uint32Array = mesh.indices;
+grid[Symbol.dispose]();
+
+{
+  using scoped = kdm.buildGrid(soup);
+  scoped.extract();
+}
+
+const bytes: Uint8Array = kdm.formatMesh(kdm.parseMesh('', 'obj'), 'stl');
+const geometry: BufferGeometry = toBufferGeometry(mesh);
+kdm.describe(fromBufferGeometry(new BoxGeometry()));
+
+try {
+  grid.extract();
+} catch (error) {
+  const code: ErrorCode | undefined = error instanceof KdManifoldError ? error.code : undefined;
+  if (code === 'DELETED') throw error;
+}
+
+// @ts-expect-error positions are needed
+await makeManifold({ indices: new Uint32Array(3) });
+// @ts-expect-error plain arrays are none
+await makeManifold({ positions: [0, 0, 0] });
+// @ts-expect-error no such strategy
+kdm.buildGrid(soup, { strategy: 'best' });
+// @ts-expect-error no such option
+grid.extract({ depth: 3 });
+// @ts-expect-error grids come from buildGrid
+new Grid();
+
+export { bytes, geometry, triangles, words };
