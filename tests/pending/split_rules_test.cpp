@@ -127,8 +127,8 @@ TEST(SplitRules, UniformAndOctreeSplitAtMidpointsInTurn) {
 TEST(SplitRules, OctreeLeavesPlaneCellsWhole) {
   const Mesh cube = tilted(shapes::cube());
   const Grid full = build_grid(cube, {.strategy = SplitStrategy::kUniform, .depth = 15});
-  const Grid grid = build_grid(
-      cube, {.strategy = SplitStrategy::kOctree, .relative_tolerance = 0, .depth = 15});
+  const Grid grid =
+      build_grid(cube, {.strategy = SplitStrategy::kOctree, .relative_tolerance = 0, .depth = 15});
   EXPECT_LT(20 * grid.stats().leaves, full.stats().leaves);
   for (const auto& [point, triangle] : surface_points(shapes::cube(), 50)) {
     // The middle of a side is plane far around it.
