@@ -15,7 +15,7 @@ SymmetricEigen symmetric_eigen(const Eigen::Matrix3d& matrix) {
   constexpr int kSweeps = 12;  // four or five are the rule
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
     const double off = a(0, 1) * a(0, 1) + a(0, 2) * a(0, 2) + a(1, 2) * a(1, 2);
-    if (off <= 1e-20 * scale) break;
+    if (off <= 1e-28 * scale) break;
     for (int p = 0; p < 2; ++p) {
       for (int q = p + 1; q < 3; ++q) {
         if (a(p, q) == 0) continue;
