@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Compiled under `tsc --strict` against the packed package, never run: what must be legal, and (after
-// @ts-expect-error) what must not.
+// Compiled under `tsc --strict` against the packed package, never run: what must be legal, and, where an
+// error is announced, what must not.
 import {
   Grid,
   KdManifoldError,
