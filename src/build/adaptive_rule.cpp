@@ -61,7 +61,8 @@ class AdaptiveRule : public SplitRule {
 
   void report(GridStats& stats) const override {
     stats.unresolved_leaves = unresolved_;
-    stats.topology_resolved = unresolved_ == 0;
+    // Where shells overlap, pieces were judged one by one: nothing is proven.
+    stats.topology_resolved = unresolved_ == 0 && !overlapping_;
   }
 
  private:
@@ -129,6 +130,7 @@ class AdaptiveRule : public SplitRule {
           const Index triangle = cell.crossings[i].plane();
           const bool kept = cell.kept[i] != 0;
           crossings_.all.push_back({triangle, kept});
+          overlapping_ = overlapping_ || !kept;
           if (!kept) continue;
           point[axis] = real_position(cell.crossings[i].position);
           hits_.push_back({point, &surface_.planes[triangle], triangle});
@@ -258,6 +260,7 @@ class AdaptiveRule : public SplitRule {
   double floor_;
   int depth_;
   bool octree_;
+  bool overlapping_ = false;  // a crossing was dropped by the inside rule
   Index unresolved_ = 0;
   CellCrossings crossings_;
   std::vector<PlannedHit> hits_;
