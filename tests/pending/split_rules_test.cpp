@@ -27,9 +27,8 @@ struct Leaf {
   int depth = 0;
 };
 
-// The leaf that holds a point of model space.
-Leaf leaf_at(const GridData& grid, const Vec3& model) {
-  const Vec3 p = grid.lattice.to_lattice(model);
+// The leaf that holds a point, given in lattice coordinates.
+Leaf leaf_at(const GridData& grid, const Vec3& p) {
   Leaf leaf;
   while (!grid.cells[leaf.cell].leaf()) {
     const Cell& cell = grid.cells[leaf.cell];
@@ -95,7 +94,7 @@ TEST(SplitRules, UniformGoesToTheFullDepthAtTheSurface) {
   for (const int depth : {1, 5, 9, 12}) {
     const Grid grid = build_grid(mesh, {.strategy = SplitStrategy::kUniform, .depth = depth});
     for (const auto& [point, triangle] : surface_points(mesh, 10)) {
-      ASSERT_EQ(leaf_at(grid.data(), point).depth, depth);
+      ASSERT_EQ(leaf_at(grid.data(), grid.data().lattice.to_lattice(point)).depth, depth);
     }
   }
 }
@@ -136,7 +135,7 @@ TEST(SplitRules, OctreeLeavesPlaneCellsWhole) {
     Mesh one_point;
     one_point.positions = {point};
     const Vec3 turned = shapes::rotated(one_point, Vec3(1, 2, 3), 0.7).positions[0];
-    EXPECT_LE(leaf_at(grid.data(), turned).depth, 9);
+    EXPECT_LE(leaf_at(grid.data(), grid.data().lattice.to_lattice(turned)).depth, 9);
   }
 }
 
@@ -183,9 +182,14 @@ TEST(SplitRules, MedianStopsEarlierOnlyAtTheDepthLimit) {
     const std::vector<Index> rest = not_hit(mesh, grid.data());
     EXPECT_FALSE(rest.empty()) << "the limit is felt";
     for (const Index t : rest) {
-      Vec3 centre = Vec3::Zero();
-      for (const Index v : mesh.triangles[t]) centre += mesh.positions[v] / 3;
-      EXPECT_EQ(leaf_at(grid.data(), centre).depth, depth) << "triangle " << t;
+      // The cell that holds the triangle's centre, rounded down as the rule does.
+      LatticePoint centre{};
+      for (const Index v : mesh.triangles[t]) {
+        const LatticePoint p = grid.data().lattice.quantise(mesh.positions[v]);
+        for (int k = 0; k < 3; ++k) centre[k] += p[k];
+      }
+      const Vec3 rounded(centre[0] / 3, centre[1] / 3, centre[2] / 3);
+      EXPECT_EQ(leaf_at(grid.data(), rounded).depth, depth) << "triangle " << t;
     }
   }
 }
