@@ -165,7 +165,8 @@ TEST(Faces, EveryOverlapOfLeavesWithHitsIsVisited) {
                             {.strategy = SplitStrategy::kMedian, .depth = 8})},
       {"median voxels", build_grid(shapes::random_voxels(3, 0.4, 2),
                                    {.strategy = SplitStrategy::kMedian, .depth = 7})}};
-  for (const auto& [name, handle] : grids) {
+  for (const auto& [title, handle] : grids) {
+    const auto& name = title;  // clang 14 captures no structured bindings
     const GridData& grid = handle.data();
     const std::vector<LatticeBox> boxes = cell_boxes(grid);
     Overlaps visited;
