@@ -6,8 +6,11 @@
 // planes. The piece is met if every corner of its triangles, cut to the cell, lies within the
 // tolerance of one of those planes, the vertex within it of all of them, and the vertex within it
 // of the piece.
-// Topology. Every piece is a disk that reaches the cell's edges, and no face of the cell holds a
-// closed curve (cell_analysis.h). Where no leaf fails, an embedded input comes out homeomorphic.
+// Topology. Every piece is a disk that reaches the cell's edges, no face of the cell holds a closed
+// curve, and no two triangles cross (cell_analysis.h). Where no leaf fails, the input comes out
+// homeomorphic.
+// Overlap. Where shells cross, their pieces bound the solid together: one vertex must fit them all,
+// as it does on the crease of their union. Topology is neither pursued nor claimed there.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -49,20 +52,25 @@ class AdaptiveRule : public SplitRule {
     collect_crossings(cell);
     // Whatever lies in a cell smaller than the tolerance is met.
     const bool small = diagonal(cell.box) <= tolerance_;
-    if (!small && cell.entries.size() > kMany && (hits_.empty() || !quick_fit(cell))) {
-      return halve(cell);
-    }
+    if (!small && cell.entries.size() > kMany && quick_misfit(cell)) return halve(cell);
     analysis_.find_pieces(cell.box, cell.entries, crossings_);
     if (analysis_.members().empty()) return std::nullopt;
     assign_pieces();
+    // Crossings drop out where shells cross and where one lies within another.
+    overlap_ = overlap_ && analysis_.triangles_cross();
     if (!small && !pieces_fit(cell.box)) return halve(cell);
-    return resolve_topology(cell);
+    if (const std::optional<LatticeBox> target = unresolved_part(cell.box)) {
+      return pursue(cell, *target);
+    }
+    if (overlap_) return give_up();
+    if (!analysis_.triangles_cross()) return std::nullopt;
+    overlap_ = true;
+    return small || pieces_fit(cell.box) ? give_up() : halve(cell);
   }
 
   void report(GridStats& stats) const override {
     stats.unresolved_leaves = unresolved_;
-    // Where shells overlap, pieces were judged one by one: nothing is proven.
-    stats.topology_resolved = unresolved_ == 0 && !overlapping_;
+    stats.topology_resolved = unresolved_ == 0;
   }
 
  private:
@@ -114,6 +122,7 @@ class AdaptiveRule : public SplitRule {
     crossings_.all.clear();
     crossings_.round_face = {};
     hits_.clear();
+    overlap_ = false;
     for (int axis = 0; axis < 3; ++axis) {
       const int u = next_axis(axis);
       const int v = previous_axis(axis);
@@ -130,7 +139,7 @@ class AdaptiveRule : public SplitRule {
           const Index triangle = cell.crossings[i].plane();
           const bool kept = cell.kept[i] != 0;
           crossings_.all.push_back({triangle, kept});
-          overlapping_ = overlapping_ || !kept;
+          overlap_ = overlap_ || !kept;  // or so it seems
           if (!kept) continue;
           point[axis] = real_position(cell.crossings[i].position);
           hits_.push_back({point, &surface_.planes[triangle], triangle});
@@ -139,26 +148,31 @@ class AdaptiveRule : public SplitRule {
     }
   }
 
-  // Corners of the first triangles against all hits' planes: no means no, yes means look closer.
-  bool quick_fit(const CellView& cell) const {
+  // Corners of the triangles against all hits' planes: yes means yes, no means look closer.
+  bool quick_misfit(const CellView& cell) const {
+    // Crossings but no hits: all that is in the cell may lie inside other shells.
+    if (hits_.empty()) return crossings_.all.empty();
     for (const ListEntry& entry : cell.entries) {
       for (const LatticePoint& p : surface_.triangles[entry.triangle]) {
         if (!vertex_in_box(p, cell.box)) continue;
-        if (misfit(Vec3(p[0], p[1], p[2]), kNone) > tolerance_) return false;
+        if (misfit(Vec3(p[0], p[1], p[2]), kNone) > tolerance_) return true;
       }
     }
-    return true;
+    return false;
   }
 
   // Distance to the nearest plane of the piece's hits (of all hits for kNone).
   double misfit(const Vec3& p, Index piece) const {
     double least = std::numeric_limits<double>::infinity();
     for (const PlannedHit& hit : hits_) {
-      if (piece != kNone && hit.piece != piece) continue;
+      if (!together(hit.piece, piece)) continue;
       least = std::min(least, std::abs(hit.plane->normal.dot(p) - hit.plane->offset));
     }
     return least;
   }
+
+  // Do the two share a vertex?
+  bool together(Index a, Index b) const { return a == b || overlap_ || b == kNone; }
 
   void assign_pieces() {
     for (PlannedHit& hit : hits_) hit.piece = analysis_.piece_of_triangle(hit.piece);
@@ -167,7 +181,9 @@ class AdaptiveRule : public SplitRule {
   bool pieces_fit(const LatticeBox& box) {
     const std::span<const Piece> pieces = analysis_.pieces();
     for (Index i = 0; i < pieces.size(); ++i) {
-      if (pieces[i].kept > 0 && !vertex_fits(box, i)) return false;
+      if (pieces[i].kept == 0) continue;
+      if (!vertex_fits(box, i)) return false;
+      if (overlap_) break;
     }
     const std::span<const Index> members = analysis_.members();
     for (std::size_t m = 0; m < members.size(); ++m) {
@@ -181,24 +197,30 @@ class AdaptiveRule : public SplitRule {
     return true;
   }
 
+  // Is the member part of what the piece's vertex stands for?
+  bool shows_in(std::size_t member, Index piece) const {
+    const Index own = analysis_.piece_of(member);
+    return together(own, piece) && analysis_.pieces()[own].kept > 0;
+  }
+
   bool vertex_fits(const LatticeBox& box, Index piece) const {
     Vec3 sum = Vec3::Zero();
     int count = 0;
     for (const PlannedHit& hit : hits_) {
-      if (hit.piece != piece) continue;
+      if (!together(hit.piece, piece)) continue;
       sum += hit.point;
       ++count;
     }
     PrimalQuadric quadric(sum / count);
     for (const PlannedHit& hit : hits_) {
-      if (hit.piece == piece) quadric.add(*hit.plane);
+      if (together(hit.piece, piece)) quadric.add(*hit.plane);
     }
     const Vec3 vertex = quadric.minimiser_in(Vec3(box.lo[0], box.lo[1], box.lo[2]),
                                              Vec3(box.hi[0], box.hi[1], box.hi[2]));
     // Splits of neighbours may yet put hits on any of the piece's triangles.
     const std::span<const Index> members = analysis_.members();
     for (std::size_t m = 0; m < members.size(); ++m) {
-      if (analysis_.piece_of(m) != piece) continue;
+      if (!shows_in(m, piece)) continue;
       const Plane& plane = surface_.planes[members[m]];
       if (std::abs(plane.normal.dot(vertex) - plane.offset) > tolerance_) return false;
     }
@@ -209,7 +231,7 @@ class AdaptiveRule : public SplitRule {
   bool near_piece(const Vec3& vertex, Index piece) const {
     const std::span<const Index> members = analysis_.members();
     for (std::size_t m = 0; m < members.size(); ++m) {
-      if (analysis_.piece_of(m) != piece) continue;
+      if (!shows_in(m, piece)) continue;
       const Plane& plane = surface_.planes[members[m]];
       if (std::abs(plane.normal.dot(vertex) - plane.offset) > tolerance_) continue;
       const LatticeBox& bounds = analysis_.bounds_of(m);
@@ -222,28 +244,28 @@ class AdaptiveRule : public SplitRule {
     return false;
   }
 
-  std::optional<Split> resolve_topology(const CellView& cell) {
+  // Where the cell must be divided for the sake of topology.
+  std::optional<LatticeBox> unresolved_part(const LatticeBox& box) {
     const std::span<const Piece> pieces = analysis_.pieces();
     // Pieces whose crossings all lie within the solid (or outside) bound nothing.
     const bool all_internal = std::all_of(pieces.begin(), pieces.end(), [](const Piece& piece) {
       return piece.crossings > 0 && piece.kept == 0;
     });
     if (all_internal) return std::nullopt;
-    std::optional<LatticeBox> target;
-    int barred_axis = -1;
-    if (!analysis_.pieces_are_disks()) {
-      target = unresolved_bounds(cell.box);
-    } else if (const std::optional<ClosedCurve> curve = analysis_.find_closed_curve()) {
-      target = curve->bounds;
-      barred_axis = curve->axis;
-    }
-    if (!target) return std::nullopt;
+    if (!analysis_.pieces_are_disks()) return unresolved_bounds(box);
+    const std::optional<ClosedCurve> curve = analysis_.find_closed_curve();
+    if (!curve) return std::nullopt;
+    LatticeBox bounds = curve->bounds;
+    bounds.hi[curve->axis] = bounds.lo[curve->axis];  // never in the face's own plane
+    return bounds;
+  }
+
+  // Splits in the middle of what is not resolved, down to the floor.
+  std::optional<Split> pursue(const CellView& cell, const LatticeBox& target) {
     const int longest = longest_axis(cell.box);
     if (cell.box.hi[longest] - cell.box.lo[longest] < floor_) return give_up();
-    LatticeBox bounds = *target;
-    if (barred_axis >= 0) bounds.hi[barred_axis] = bounds.lo[barred_axis];
-    const int axis = longest_axis(bounds);
-    return split_at(cell, axis, bounds.lo[axis] + (bounds.hi[axis] - bounds.lo[axis]) / 2);
+    const int axis = longest_axis(target);
+    return split_at(cell, axis, target.lo[axis] + (target.hi[axis] - target.lo[axis]) / 2);
   }
 
   // A piece that no edge of the cell meets, or all of them.
@@ -260,7 +282,7 @@ class AdaptiveRule : public SplitRule {
   double floor_;
   int depth_;
   bool octree_;
-  bool overlapping_ = false;  // a crossing was dropped by the inside rule
+  bool overlap_ = false;  // shells cross in this cell
   Index unresolved_ = 0;
   CellCrossings crossings_;
   std::vector<PlannedHit> hits_;

@@ -10,8 +10,26 @@
 #include <algorithm>
 
 #include "geometry/triangle_box.h"
+#include "geometry/triangle_triangle.h"
 
 namespace kdm {
+
+namespace {
+
+// Lies part of the polygon on (or within rounding of) the plane?
+bool reaches_plane(const ClippedPolygon& polygon, const Plane& plane) {
+  bool above = false;
+  bool below = false;
+  for (int i = 0; i < polygon.size; ++i) {
+    const double distance = plane.normal.dot(polygon.corners[i]) - plane.offset;
+    // The planes are those before rounding to the lattice.
+    above = above || distance > -1;
+    below = below || distance < 1;
+  }
+  return above && below;
+}
+
+}  // namespace
 
 CellAnalysis::CellAnalysis(const Surface& surface)
     : surface_(surface), local_(surface.triangles.size(), kNone) {}
@@ -135,6 +153,32 @@ std::optional<ClosedCurve> CellAnalysis::find_closed_curve() {
     }
   }
   return std::nullopt;
+}
+
+// Quadratic in the members, but all that is done for most pairs is to compare bounds.
+bool CellAnalysis::triangles_cross() const {
+  for (Index i = 0; i < members_.size(); ++i) {
+    for (Index j = 0; j < i; ++j) {
+      if (members_cross(i, j)) return true;
+    }
+  }
+  return false;
+}
+
+bool CellAnalysis::members_cross(Index i, Index j) const {
+  for (int k = 0; k < 3; ++k) {
+    if (bounds_[i].lo[k] > bounds_[j].hi[k] || bounds_[j].lo[k] > bounds_[i].hi[k]) return false;
+  }
+  const Index a = members_[i];
+  const Index b = members_[j];
+  if (surface_.degenerate[a] != 0 || surface_.degenerate[b] != 0) return false;
+  if (!kdm::triangles_cross({surface_.triangles[a], surface_.corners[a]},
+                            {surface_.triangles[b], surface_.corners[b]})) {
+    return false;
+  }
+  // They may cross outside the cell.
+  return reaches_plane(clip_to_box(surface_.triangles[a], box_), surface_.planes[b]) &&
+         reaches_plane(clip_to_box(surface_.triangles[b], box_), surface_.planes[a]);
 }
 
 }  // namespace kdm

@@ -62,10 +62,13 @@ class CellAnalysis {
   bool pieces_are_disks() const;
   /// The first face of the cell with a closed curve, if there is one.
   std::optional<ClosedCurve> find_closed_curve();
+  /// Do two triangles cross or touch within the cell, but for what neighbours share?
+  bool triangles_cross() const;
 
  private:
   Index count_parts(std::span<const Index> subset, const LatticeBox& box);
   Index find(Index i);
+  bool members_cross(Index i, Index j) const;
 
   const Surface& surface_;
   LatticeBox box_;

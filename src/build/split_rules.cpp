@@ -61,7 +61,7 @@ class MedianRule : public SplitRule {
       return key(a) > key(b);
     });
     for (const int axis : axes) {
-      const auto middle = begin + (end - begin) / 2;
+      const auto middle = begin + (end - begin - 1) / 2;
       std::nth_element(begin, middle, end, [axis](const Centre& a, const Centre& b) {
         return a.point[axis] != b.point[axis] ? a.point[axis] < b.point[axis]
                                               : a.triangle < b.triangle;
@@ -76,7 +76,7 @@ class MedianRule : public SplitRule {
     const auto begin = centres_.begin() + range.begin;
     const auto end = centres_.begin() + range.end;
     const auto cut = std::partition(
-        begin, end, [&](const Centre& c) { return c.point[split.axis] < split.value; });
+        begin, end, [&](const Centre& c) { return below_plane(c.point[split.axis], split.value); });
     const auto middle = static_cast<Index>(cut - centres_.begin());
     return {RuleRange{range.begin, middle}, RuleRange{middle, range.end}};
   }
