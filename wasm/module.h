@@ -44,6 +44,7 @@ inline BuildOptions to_build_options(const val& from) {
 inline ExtractOptions to_extract_options(const val& from) {
   ExtractOptions options;
   read(from, "quads", options.quads);
+  read(from, "splitError", options.split_error);
   read(from, "strict", options.strict);
   return options;
 }
@@ -120,6 +121,7 @@ inline val extract(const Grid& grid, val options, val progress) {
     val report = val::object();
     report.set("droppedPillows", mesh.report.dropped_pillows);
     report.set("insertedVertices", mesh.report.inserted_vertices);
+    report.set("splitVertices", mesh.report.split_vertices);
     to.set("report", report);
     return to;
   });

@@ -15,6 +15,7 @@ namespace kdm {
 namespace {
 
 constexpr int kMaxDepth = 3 * kLatticeBits;
+constexpr double kUsualTolerance = BuildOptions().relative_tolerance;
 
 void check_options(const BuildOptions& options) {
   if (options.depth < 0 || options.depth > kMaxDepth) {
@@ -64,8 +65,11 @@ Grid build_grid(const Mesh& mesh, const BuildOptions& options, const Progress& p
   const Progress within = [&](double fraction, std::string_view phase) {
     return progress(0.1 + 0.7 * fraction, phase);
   };
-  construct_cells(surface, options, tolerance_of(options, surface), depth_limit(options),
-                  progress ? within : Progress(), *grid);
+  const double tolerance = tolerance_of(options, surface);
+  grid->tolerance =
+      tolerance > 0 ? tolerance : kUsualTolerance * surface.diagonal / surface.lattice.step;
+  construct_cells(surface, options, tolerance, depth_limit(options), progress ? within : Progress(),
+                  *grid);
   report(progress, 0.8, "link");
   grid->planes = std::move(surface.planes);
   grid->source_faces = std::move(surface.source_faces);

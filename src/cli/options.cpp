@@ -118,6 +118,8 @@ std::vector<ValueOption> value_options(Command& command) {
       choice("--inside", kInsideRules, command.build.inside, "which winding numbers are inside"),
       choice("--pairing", kPairings, command.build.pairing,
              "how hits are linked where a face has more than two"),
+      not_negative("--split-error", "E", command.extract.split_error,
+                   "split vertices further than E from a plane, in model units; 0: features (0)"),
   };
 }
 

@@ -47,7 +47,8 @@ Json output_json(const MeshReport& output, const ExtractReport& extracted) {
           {"volume", output.volume},
           {"area", output.area},
           {"droppedPillows", extracted.dropped_pillows},
-          {"insertedVertices", extracted.inserted_vertices}};
+          {"insertedVertices", extracted.inserted_vertices},
+          {"splitVertices", extracted.split_vertices}};
 }
 
 // What --check looked for.

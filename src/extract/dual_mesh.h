@@ -21,6 +21,13 @@ struct DualMesh {
 
   Index triangles() const { return static_cast<Index>(hit.size()); }
   bool dropped(Index triangle) const { return vertex[3 * triangle] == kNone; }
+
+  /// Appends triangle (a, b, c), unlinked; returns its first half-edge.
+  Index add_triangle(Index of_hit, Index a, Index b, Index c);
+  void link(Index h, Index g) {
+    opposite[h] = g;
+    opposite[g] = h;
+  }
 };
 
 constexpr Index next_in_triangle(Index half_edge) {

@@ -2,10 +2,14 @@
 // Grid -> mesh: loops, vertices, strictness, faces.
 #include "kdmanifold/extract.h"
 
+#include <fmt/format.h>
+
 #include <new>
+#include <optional>
 
 #include "extract/dual_mesh.h"
 #include "extract/place.h"
+#include "extract/split_vertices.h"
 #include "extract/strict.h"
 #include "kdmanifold/error.h"
 
@@ -16,6 +20,21 @@ void report(const Progress& progress, double fraction, std::string_view phase) {
   if (progress && !progress(fraction, phase)) {
     throw Error(ErrorCode::kAborted, "stopped by the progress callback");
   }
+}
+
+// Where the surface is merely curved, a leaf's vertex lies a little off its planes, and splits
+// would fold it: by default only what looks like a second feature is split.
+constexpr double kFeature = 0.3;
+
+std::optional<SplitError> split_error(const GridData& grid, const ExtractOptions& options) {
+  if (!(options.split_error >= 0)) {
+    throw Error(ErrorCode::kInvalidOption,
+                fmt::format("split_error is {}; it must be a number that is not negative",
+                            options.split_error));
+  }
+  if (options.split_error > 0) return SplitError{options.split_error / grid.lattice.step, 0};
+  if (options.quads) return std::nullopt;
+  return SplitError{grid.tolerance, kFeature};
 }
 
 // The half-edge of triangle t across which it makes a quad, or kNone.
@@ -60,6 +79,7 @@ void emit(const GridData& grid, const DualMesh& mesh, bool quads, ExtractedMesh&
 ExtractedMesh extract(const Grid& handle, const ExtractOptions& options,
                       const Progress& progress) try {
   const GridData& grid = handle.data();
+  const std::optional<SplitError> error = split_error(grid, options);
   report(progress, 0.0, "loops");
   DualMesh mesh = dual_mesh_of(grid);
   if (options.strict) drop_pillows(mesh);
@@ -68,8 +88,10 @@ ExtractedMesh extract(const Grid& handle, const ExtractOptions& options,
   const std::vector<LatticeBox> boxes = cell_boxes(grid);
   const std::vector<Vec3> points = hit_points(grid, boxes);
   place_vertices(grid, boxes, points, mesh);
-  report(progress, 0.8, "faces");
   ExtractedMesh out;
+  report(progress, 0.7, "vertices");
+  if (error) out.report.split_vertices = split_vertices(grid, boxes, points, *error, mesh);
+  report(progress, 0.8, "faces");
   if (options.strict) out.report.inserted_vertices = separate_double_edges(points, mesh);
   out.report.dropped_pillows = mesh.dropped_pillows;
   emit(grid, mesh, options.quads, out);

@@ -25,6 +25,15 @@ Index only_neighbour(const DualMesh& mesh, Index triangle, Index except) {
 
 }  // namespace
 
+Index DualMesh::add_triangle(Index of_hit, Index a, Index b, Index c) {
+  const auto first_half_edge = static_cast<Index>(vertex.size());
+  vertex.insert(vertex.end(), {a, b, c});
+  opposite.insert(opposite.end(), 3, kNone);
+  hit.push_back(of_hit);
+  strip.push_back(0);
+  return first_half_edge;
+}
+
 DualMesh dual_mesh_of(const GridData& grid) {
   DualMesh mesh;
   const auto triangles = static_cast<Index>(grid.hits.size());

@@ -33,26 +33,28 @@ std::vector<Vec3> hit_points(const GridData& grid, const std::vector<LatticeBox>
   return points;
 }
 
+Vec3 vertex_position(const GridData& grid, const std::vector<Vec3>& points,
+                     std::span<const Index> hits, const LatticeBox& box) {
+  Vec3 sum = Vec3::Zero();
+  for (const Index h : hits) sum += points[h];
+  PrimalQuadric quadric(sum / static_cast<double>(hits.size()));
+  for (const Index h : hits) quadric.add(grid.planes[grid.hits[h].plane()]);
+  return quadric.minimiser_in(real(box.lo), real(box.hi));
+}
+
 void place_vertices(const GridData& grid, const std::vector<LatticeBox>& boxes,
                     const std::vector<Vec3>& points, DualMesh& mesh) {
   mesh.position.reserve(mesh.first.size());
+  std::vector<Index> hits;
   for (std::size_t vertex = 0; vertex < mesh.first.size(); ++vertex) {
+    hits.clear();
     const Index first = mesh.first[vertex];
-    Vec3 sum = Vec3::Zero();
-    int count = 0;
     Index half_edge = first;
     do {
-      sum += points[mesh.hit[half_edge / 3]];
-      ++count;
+      hits.push_back(mesh.hit[half_edge / 3]);
       half_edge = next_in_triangle(mesh.opposite[half_edge]);
     } while (half_edge != first);
-    PrimalQuadric quadric(sum / count);
-    do {
-      quadric.add(grid.planes[grid.hits[mesh.hit[half_edge / 3]].plane()]);
-      half_edge = next_in_triangle(mesh.opposite[half_edge]);
-    } while (half_edge != first);
-    const LatticeBox& box = boxes[mesh.leaf[vertex]];
-    mesh.position.push_back(quadric.minimiser_in(real(box.lo), real(box.hi)));
+    mesh.position.push_back(vertex_position(grid, points, hits, boxes[mesh.leaf[vertex]]));
   }
 }
 

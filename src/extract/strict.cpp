@@ -85,14 +85,14 @@ class Separation {
     mesh_.position.push_back(between(ab / 3, ba / 3, a, b));
     mesh_.leaf.push_back(kNone);
 
-    const Index mbc = add_triangle(mesh_.hit[ab / 3], m, b, c);
-    const Index mad = add_triangle(mesh_.hit[ba / 3], m, a, d);
-    link(mbc + 1, mesh_.opposite[bc]);
-    link(mad + 1, mesh_.opposite[ad]);
-    link(mbc, ba);
-    link(mad, ab);
-    link(mbc + 2, bc);  // bc becomes m -> c
-    link(mad + 2, ad);
+    const Index mbc = mesh_.add_triangle(mesh_.hit[ab / 3], m, b, c);
+    const Index mad = mesh_.add_triangle(mesh_.hit[ba / 3], m, a, d);
+    mesh_.link(mbc + 1, mesh_.opposite[bc]);
+    mesh_.link(mad + 1, mesh_.opposite[ad]);
+    mesh_.link(mbc, ba);
+    mesh_.link(mad, ab);
+    mesh_.link(mbc + 2, bc);  // bc becomes m -> c
+    mesh_.link(mad + 2, ad);
     mesh_.vertex[bc] = m;
     mesh_.vertex[ad] = m;
     mesh_.first.push_back(bc);
@@ -109,20 +109,6 @@ class Separation {
     const Index other_hit = mesh_.hit[other];
     if (hit == other_hit) return 0.5 * (mesh_.position[a] + mesh_.position[b]);
     return 0.5 * (hit_points_[hit] + hit_points_[other_hit]);
-  }
-
-  Index add_triangle(Index hit, Index a, Index b, Index c) {
-    const auto first = static_cast<Index>(mesh_.vertex.size());
-    mesh_.vertex.insert(mesh_.vertex.end(), {a, b, c});
-    mesh_.opposite.insert(mesh_.opposite.end(), 3, kNone);
-    mesh_.hit.push_back(hit);
-    mesh_.strip.push_back(0);
-    return first;
-  }
-
-  void link(Index h, Index g) {
-    mesh_.opposite[h] = g;
-    mesh_.opposite[g] = h;
   }
 
   const std::vector<Vec3>& hit_points_;

@@ -81,6 +81,7 @@ static_assert(sizeof(Hit) == 8);
 
 struct GridData {
   Lattice lattice;
+  double tolerance = 0;           ///< asked for, in lattice units; never 0 in a built grid
   std::vector<Cell> cells;        ///< cell 0 is the root; 2 * splits + 1 of them
   std::vector<Index> edge_begin;  ///< first hit of each splitting edge, and the number of hits
   std::vector<Hit> hits;

@@ -121,8 +121,8 @@ TEST_F(Cli, HelpListsTheOptions) {
     }
     EXPECT_EQ(options, (std::set<std::string>{"--check", "--depth", "--help", "--inside", "--json",
                                               "--no-strict", "--output", "--pairing", "--quads",
-                                              "--relative-tolerance", "--strategy", "--tolerance",
-                                              "--version"}));
+                                              "--relative-tolerance", "--split-error", "--strategy",
+                                              "--tolerance", "--version"}));
     EXPECT_NE(outcome.out.find("adaptive|octree|median|uniform"), std::string::npos);
   }
 }
@@ -172,9 +172,10 @@ TEST_F(Cli, ReportHasTheDocumentedKeys) {
   EXPECT_EQ(keys(json["grid"]),
             (Names{"cells", "leaves", "hits", "depth", "bytes", "topologyResolved",
                    "unresolvedLeaves", "ambiguousFaces", "guessedFaces"}));
-  EXPECT_EQ(keys(json["output"]), (Names{"vertices", "triangles", "quads", "components",
-                                         "eulerCharacteristic", "twoManifold", "closed", "volume",
-                                         "area", "droppedPillows", "insertedVertices"}));
+  EXPECT_EQ(
+      keys(json["output"]),
+      (Names{"vertices", "triangles", "quads", "components", "eulerCharacteristic", "twoManifold",
+             "closed", "volume", "area", "droppedPillows", "insertedVertices", "splitVertices"}));
   EXPECT_EQ(keys(json["check"]),
             (Names{"twoManifold", "closed", "boundaryEdges", "nonManifoldEdges", "misorientedEdges",
                    "nonManifoldVertices", "degenerateFaces", "duplicateFaces"}));

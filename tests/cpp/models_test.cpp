@@ -159,6 +159,7 @@ TEST(Models, ACubeComesOutExactly) {
                            shapes::subdivided(shapes::cube()), shapes::soup(shapes::cube())}) {
     EXPECT_NEAR(volume_of(cube, {.strategy = SplitStrategy::kOctree, .depth = 9}), 1, 1e-5);
     EXPECT_NEAR(volume_of(cube, {.strategy = SplitStrategy::kUniform, .depth = 9}), 1, 1e-5);
+    EXPECT_NEAR(volume_of(cube, {.strategy = SplitStrategy::kMedian}), 1, 1e-5);
     EXPECT_NEAR(volume_of(cube, {}), 1, 1e-5);
   }
 }
@@ -202,7 +203,8 @@ TEST(Models, CrossingShellsComeOutAsOnePartWithTheirCrease) {
        24 + 4.1 * 1.7 * 1.7 + 4.1 * 1.2 * 1.3}};
   for (std::size_t i = 0; i < cases.size(); ++i) {
     for (const SplitStrategy strategy : {SplitStrategy::kAdaptive, SplitStrategy::kOctree}) {
-      SCOPED_TRACE(testing::Message() << "case " << i << " strategy " << static_cast<int>(strategy));
+      SCOPED_TRACE(testing::Message()
+                   << "case " << i << " strategy " << static_cast<int>(strategy));
       const Grid grid = build_grid(cases[i].mesh, {.strategy = strategy});
       EXPECT_NO_THROW(validate(grid.data()));
       EXPECT_FALSE(grid.stats().topology_resolved) << "nothing is proven where shells cross";

@@ -14,6 +14,9 @@
 namespace kdm {
 namespace {
 
+// With quads no vertices are split.
+constexpr double kNever = 1e9;
+
 const BuildOptions kUniform{.strategy = SplitStrategy::kUniform, .depth = 12};
 
 TEST(Quads, AUniformGridGivesNothingElse) {
@@ -59,7 +62,7 @@ TEST(Quads, AreTheSameSurface) {
     for (const Mesh& mesh : {shapes::torus(1, 0.4, 16, 8), shapes::plate_with_holes(2, 2),
                              shapes::random_voxels(3, 0.5, 2), shapes::random_tetrahedra(5, 4)}) {
       const Grid grid = build_grid(mesh, {.strategy = strategy, .depth = 11});
-      const ExtractedMesh plain = extract(grid);
+      const ExtractedMesh plain = extract(grid, {.split_error = kNever});
       const ExtractedMesh quads = extract(grid, {.quads = true});
       EXPECT_EQ(plain.positions, quads.positions);
       EXPECT_EQ(plain.triangles.size(), quads.triangles.size() + 2 * quads.quads.size());
@@ -78,7 +81,7 @@ TEST(Quads, AreTheSameSurface) {
 TEST(Quads, EachIsTwoTrianglesOfThePlainMesh) {
   const Grid grid = build_grid(shapes::torus(1, 0.4, 32, 16),
                                {.strategy = SplitStrategy::kOctree, .relative_tolerance = 0.01});
-  const ExtractedMesh plain = extract(grid);
+  const ExtractedMesh plain = extract(grid, {.split_error = kNever});
   const ExtractedMesh mixed = extract(grid, {.quads = true});
   // Triangles with the smallest corner first, to be found again.
   const auto turned = [](Triangle t) {

@@ -30,6 +30,7 @@ export function reportAsJson(report: CliReport, command: Command): string {
       area: output.area,
       droppedPillows: output.droppedPillows,
       insertedVertices: output.insertedVertices,
+      splitVertices: output.splitVertices,
     },
     check: command.check ? checkOf(output) : undefined,
     seconds: report.seconds,

@@ -56,6 +56,12 @@ export const buildOptions: Table<BuildOptions> = {
 
 /** @internal */
 export const extractOptions: Table<ExtractOptions> = {
+  splitError: {
+    kind: 'number',
+    min: 0,
+    default: 0,
+    help: 'split vertices further than this from a plane, in model units; 0: features',
+  },
   quads: { kind: 'flag', default: false, help: 'write quads where four leaves meet' },
   strict: { kind: 'flag', default: true, help: 'make the index mesh 2-manifold' },
 };

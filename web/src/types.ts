@@ -94,6 +94,13 @@ export interface BuildOptions {
 export interface ExtractOptions {
   /** Join the two triangles of an edge where four leaves meet to one quad (default false). */
   quads?: boolean;
+  /**
+   * Split vertices that lie further than this from a plane they stand for, in model units, so that a
+   * leaf can hold several features (paper 2.3.1). Not negative; more than the model's size: never.
+   * Default 0: where they are further off than the grid's tolerance and 0.3 times the way to their hits, but
+   * never with `quads`.
+   */
+  splitError?: number;
   /** Make the result 2-manifold as an index mesh (default true). Off: the raw dual surface. */
   strict?: boolean;
 }
@@ -156,6 +163,8 @@ export interface ExtractReport {
   droppedPillows: number;
   /** Vertices added to keep edges apart. */
   insertedVertices: number;
+  /** Vertices added for further features of a leaf. */
+  splitVertices: number;
 }
 
 /** What `Grid.extract` gives. */

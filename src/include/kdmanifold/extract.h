@@ -12,6 +12,11 @@ struct ExtractOptions {
   /// Join the two triangles of an edge where four leaves meet to one quad (all of them on a
   /// uniform grid). Quads need not be planar.
   bool quads = false;
+  /// Split vertices that lie further than this from a plane they stand for, in model units, so that
+  /// a leaf can hold several features (paper 2.3.1). Not negative; more than the model's size:
+  /// never. 0: where they are further off than the grid's tolerance and 0.3 times the way to the
+  /// furthest of their hits, but never with `quads`.
+  double split_error = 0;
   /// Make the result 2-manifold as an index mesh: insert a vertex where two parts of the surface
   /// would share an edge, drop parts without volume. Off: the raw dual surface, whose half-edges
   /// are manifold but whose vertex numbers may not show it.
@@ -21,6 +26,7 @@ struct ExtractOptions {
 struct ExtractReport {
   Index dropped_pillows = 0;    ///< parts without volume that were left out
   Index inserted_vertices = 0;  ///< vertices added to keep edges apart
+  Index split_vertices = 0;     ///< vertices added for further features of a leaf
 };
 
 /// A mesh with the account of how it was made.
