@@ -44,7 +44,7 @@ export default ts.config(
     languageOptions: { globals: node },
   },
   {
-    files: ['tests/js/**/*.js', 'tests/pending/**/*.js'],
+    files: ['tests/js/**/*.js'],
     languageOptions: {
       globals: {
         ...node,

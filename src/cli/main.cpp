@@ -45,6 +45,11 @@ std::uint64_t peak_bytes() {
 
 void print(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stdout); }
 
+// Files hold 32-bit coordinates, and so do JavaScript's results: the report is of these.
+void round_to_single(Mesh& mesh) {
+  for (Vec3& p : mesh.positions) p = p.cast<float>().cast<double>();
+}
+
 int run(const Command& command) {
   // Known in advance, so said before the work rather than after it.
   if (!command.output.empty()) format_from_path(command.output);
@@ -55,7 +60,8 @@ int run(const Command& command) {
   report.seconds.read = watch.lap();
   const Grid grid = build_grid(mesh, command.build);
   report.seconds.build = watch.lap();
-  const ExtractedMesh result = extract(grid, command.extract);
+  ExtractedMesh result = extract(grid, command.extract);
+  round_to_single(result);
   report.seconds.extract = watch.lap();
   if (!command.output.empty()) {
     write_mesh(command.output, result);

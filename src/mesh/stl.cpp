@@ -132,20 +132,12 @@ class AsciiStlReader {
   std::vector<Index> corners_;
 };
 
-// GCC 12 takes (double)(float)x for x where it vectorises straight-line code; volatile stops it.
-double rounded_to_float(double x) {
-  volatile const float rounded = static_cast<float>(x);
-  return double{rounded};
-}
-
 // The normal is computed from the positions as the file holds them, so that it does not matter
 // whether they come in 32 or in 64 bits.
 void append_facet(std::string& out, const Mesh& mesh, const Triangle& t) {
   Vec3 corners[3];
   for (std::size_t i = 0; i < 3; ++i) {
-    for (int axis = 0; axis < 3; ++axis) {
-      corners[i][axis] = rounded_to_float(mesh.positions[t[i]][axis]);
-    }
+    corners[i] = mesh.positions[t[i]].cast<float>().cast<double>();
   }
   const Vec3 a = corners[1] - corners[0];
   const Vec3 b = corners[2] - corners[0];

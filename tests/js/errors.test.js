@@ -82,7 +82,7 @@ const table = [
     'no vertices',
     build({ positions: new Float32Array(), indices: new Uint32Array() }),
     'INVALID_MESH',
-    /no faces/,
+    /no vertices/,
   ],
   ['no triangles', build({ positions, indices: new Uint32Array() }), 'INVALID_MESH', /no faces/],
   [

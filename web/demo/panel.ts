@@ -105,6 +105,7 @@ export function showResult({ report }: Conversion): void {
     ['Closed', yes(output.closed)],
     ['2-manifold', yes(output.twoManifold)],
     ['Inserted vertices', number.format(output.insertedVertices)],
+    ['Split vertices', number.format(output.splitVertices)],
     ['Dropped pillows', number.format(output.droppedPillows)],
   ]);
   fillTable('grid-facts', [
