@@ -93,6 +93,18 @@ const parts = {
     );
     check('fuzz targets, a few seconds', `${root}/build/sanitized/tests/fuzz/kdm_fuzz_smoke`, []);
   },
+  // Reads the sanitized build's compile commands.
+  tidy() {
+    const sources = ['src/.*\\.cpp$'];
+    check(
+      'clang-tidy',
+      'run-clang-tidy',
+      ['-quiet', '-j', jobs, '-p', 'build/sanitized', ...sources],
+      {
+        stdio: ['ignore', 'inherit', 'ignore'],
+      },
+    );
+  },
   // The other compiler, optimised: the same bytes must come out.
   async release() {
     cmake('build/release', ['CMAKE_BUILD_TYPE=Release', 'KDM_WERROR=ON', 'KDM_BUILD_TESTS=ON'], {
