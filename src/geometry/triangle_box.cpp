@@ -43,6 +43,7 @@ bool vertex_in_box(const LatticePoint& p, const LatticeBox& box) {
 }
 
 bool edge_meets_box(const LatticePoint& a, const LatticePoint& b, const LatticeBox& box) {
+  if (vertex_in_box(a, box) || vertex_in_box(b, box)) return true;
   for (int i = 0; i < 3; ++i) {
     const auto [low, high] = std::minmax(a[i], b[i]);
     if (separated_by_interval(low, high, box.lo[i], box.hi[i])) return false;
@@ -55,6 +56,9 @@ bool edge_meets_box(const LatticePoint& a, const LatticePoint& b, const LatticeB
 }
 
 bool triangle_meets_box(const LatticeTriangle& t, const LatticeBox& box) {
+  for (const LatticePoint& p : t) {
+    if (vertex_in_box(p, box)) return true;
+  }
   for (int i = 0; i < 3; ++i) {
     const auto [low, high] = std::minmax({t[0][i], t[1][i], t[2][i]});
     if (separated_by_interval(low, high, box.lo[i], box.hi[i])) return false;
@@ -87,6 +91,11 @@ ClippedPolygon clip_to_box(const LatticeTriangle& t, const LatticeBox& box) {
     for (const bool high : {false, true}) {
       const double bound = high ? box.hi[axis] : box.lo[axis];
       const double sign = high ? -1 : 1;
+      const auto begin = polygon.corners.begin();
+      if (std::all_of(begin, begin + polygon.size,
+                      [&](const Vec3& p) { return sign * (p[axis] - bound) >= 0; })) {
+        continue;
+      }
       ClippedPolygon rest;
       for (int i = 0; i < polygon.size; ++i) {
         const Vec3& a = polygon.corners[i];
