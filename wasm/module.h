@@ -12,9 +12,10 @@
 
 namespace kdm::wasm {
 
-inline constexpr std::array<Named<SplitStrategy>, 4> kStrategies = {
+inline constexpr std::array<Named<SplitStrategy>, 5> kStrategies = {
     {{"adaptive", SplitStrategy::kAdaptive},
      {"octree", SplitStrategy::kOctree},
+     {"feature", SplitStrategy::kFeature},
      {"median", SplitStrategy::kMedian},
      {"uniform", SplitStrategy::kUniform}}};
 inline constexpr std::array<Named<InsideRule>, 3> kInsideRules = {

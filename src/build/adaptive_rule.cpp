@@ -7,15 +7,17 @@
 // tolerance of one of those planes, the vertex within it of all of them, and the vertex within it
 // of the piece.
 // Topology. Every piece is a disk that reaches the cell's edges, no face of the cell holds a closed
-// curve, and no two triangles cross (cell_analysis.h). Where no leaf fails, the input comes out
-// homeomorphic.
+// curve, no closed part lies all round one edge, and no two triangles cross (cell_analysis.h).
+// Where no leaf fails, the input comes out homeomorphic.
 // Overlap. Where shells cross, their pieces bound the solid together: one vertex must fit them all,
 // as it does on the crease of their union. Topology is neither pursued nor claimed there.
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
 #include "build/cell_analysis.h"
+#include "build/feature_point.h"
 #include "build/split_rules.h"
 #include "geometry/quadric.h"
 #include "geometry/triangle_box.h"
@@ -40,13 +42,14 @@ struct PlannedHit {
 
 class AdaptiveRule : public SplitRule {
  public:
-  AdaptiveRule(const Surface& surface, double tolerance, int depth, bool octree)
+  AdaptiveRule(const Surface& surface, double tolerance, int depth, SplitPlacing placing)
       : surface_(surface),
         analysis_(surface),
         tolerance_(std::max(tolerance, kFinestTolerance)),
         floor_(std::max(kFloor * tolerance, 1.0)),
         depth_(depth),
-        octree_(octree) {}
+        placing_(placing),
+        features_(surface) {}
 
   std::optional<Split> choose(const CellView& cell) override {
     collect_crossings(cell);
@@ -82,9 +85,13 @@ class AdaptiveRule : public SplitRule {
 
   std::optional<Split> halve(const CellView& cell) {
     if (cell.depth >= depth_) return give_up();
-    if (octree_) {
+    if (placing_ == SplitPlacing::kInTurn) {
       const std::optional<Split> split = midpoint_in_turn(cell.box, cell.depth);
       return split ? split : give_up();
+    }
+    if (placing_ == SplitPlacing::kFeature) {
+      if (const std::optional<Split> split = features_.propose(cell.box, cell.entries))
+        return split;
     }
     const int axis = longest_axis(cell.box);
     return split_at(cell, axis, cell.box.lo[axis] + (cell.box.hi[axis] - cell.box.lo[axis]) / 2);
@@ -92,7 +99,7 @@ class AdaptiveRule : public SplitRule {
 
   std::optional<Split> split_at(const CellView& cell, int axis, std::int32_t value) {
     if (cell.depth >= depth_) return give_up();
-    if (octree_) return halve(cell);
+    if (placing_ == SplitPlacing::kInTurn) return halve(cell);
     const LatticeBox& box = cell.box;
     if (box.hi[axis] - box.lo[axis] < 2) {
       axis = longest_axis(box);
@@ -129,7 +136,8 @@ class AdaptiveRule : public SplitRule {
       for (int bits = 0; bits < 4; ++bits) {
         const bool high_u = (bits & 1) != 0;
         const bool high_v = (bits & 2) != 0;
-        const EdgeRange edge = cell.edges[cell_edge(axis, high_u, high_v)];
+        const int number = cell_edge(axis, high_u, high_v);
+        const EdgeRange edge = cell.edges[number];
         crossings_.round_face[u][high_u ? 1 : 0] += edge.end - edge.begin;
         crossings_.round_face[v][high_v ? 1 : 0] += edge.end - edge.begin;
         Vec3 point;
@@ -138,7 +146,7 @@ class AdaptiveRule : public SplitRule {
         for (Index i = edge.begin; i < edge.end; ++i) {
           const Index triangle = cell.crossings[i].plane();
           const bool kept = cell.kept[i] != 0;
-          crossings_.all.push_back({triangle, kept});
+          crossings_.all.push_back({triangle, number, kept});
           overlap_ = overlap_ || !kept;  // or so it seems
           if (!kept) continue;
           point[axis] = real_position(cell.crossings[i].position);
@@ -253,11 +261,20 @@ class AdaptiveRule : public SplitRule {
     });
     if (all_internal) return std::nullopt;
     if (!analysis_.pieces_are_disks()) return unresolved_bounds(box);
-    const std::optional<ClosedCurve> curve = analysis_.find_closed_curve();
-    if (!curve) return std::nullopt;
-    LatticeBox bounds = curve->bounds;
-    bounds.hi[curve->axis] = bounds.lo[curve->axis];  // never in the face's own plane
-    return bounds;
+    if (const std::optional<ClosedCurve> curve = analysis_.find_closed_curve()) {
+      LatticeBox bounds = curve->bounds;
+      bounds.hi[curve->axis] = bounds.lo[curve->axis];  // never in the face's own plane
+      return bounds;
+    }
+    if (const std::optional<Index> pillow = analysis_.find_pillow()) {
+      const Piece& piece = pieces[*pillow];
+      const int along = std::countr_zero(piece.edges) / 4;
+      LatticeBox bounds = piece.bounds;
+      bounds.hi[next_axis(along)] = bounds.lo[next_axis(along)];
+      bounds.hi[previous_axis(along)] = bounds.lo[previous_axis(along)];
+      return bounds;  // of which only the extent along the edge counts
+    }
+    return std::nullopt;
   }
 
   // Splits in the middle of what is not resolved, down to the floor.
@@ -281,7 +298,8 @@ class AdaptiveRule : public SplitRule {
   double tolerance_;
   double floor_;
   int depth_;
-  bool octree_;
+  SplitPlacing placing_;
+  FeatureFinder features_;
   bool overlap_ = false;  // shells cross in this cell
   Index unresolved_ = 0;
   CellCrossings crossings_;
@@ -291,8 +309,8 @@ class AdaptiveRule : public SplitRule {
 }  // namespace
 
 std::unique_ptr<SplitRule> make_adaptive_rule(const Surface& surface, double tolerance, int depth,
-                                              bool octree) {
-  return std::make_unique<AdaptiveRule>(surface, tolerance, depth, octree);
+                                              SplitPlacing placing) {
+  return std::make_unique<AdaptiveRule>(surface, tolerance, depth, placing);
 }
 
 }  // namespace kdm

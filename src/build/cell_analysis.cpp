@@ -101,7 +101,7 @@ void CellAnalysis::find_pieces(const LatticeBox& box, std::span<const ListEntry>
     const Index root = find(m);
     if (root == m) {
       piece_[m] = static_cast<Index>(pieces_.size());
-      pieces_.push_back({0, 0, bounds_[m]});
+      pieces_.push_back({.bounds = bounds_[m]});
     } else {
       piece_[m] = piece_[root];
     }
@@ -114,8 +114,10 @@ void CellAnalysis::find_pieces(const LatticeBox& box, std::span<const ListEntry>
   for (const CellCrossing& crossing : crossings.all) {
     const Index m = local_[crossing.triangle];
     if (m == kNone) continue;
-    ++pieces_[piece_[m]].crossings;
-    pieces_[piece_[m]].kept += crossing.kept ? 1 : 0;
+    Piece& piece = pieces_[piece_[m]];
+    ++piece.crossings;
+    piece.kept += crossing.kept ? 1 : 0;
+    piece.edges |= 1u << crossing.edge;
   }
 }
 
@@ -153,6 +155,44 @@ std::optional<ClosedCurve> CellAnalysis::find_closed_curve() {
     }
   }
   return std::nullopt;
+}
+
+std::optional<Index> CellAnalysis::find_pillow() {
+  for (Index i = 0; i < pieces_.size(); ++i) {
+    if (!pieces_[i].hangs_on_one_edge()) continue;
+    const auto member = std::find(piece_.begin(), piece_.end(), i) - piece_.begin();
+    if (part_is_near(members_[static_cast<std::size_t>(member)])) return i;
+  }
+  return std::nullopt;
+}
+
+// Is all that is connected with the triangle within the cell or its next neighbours' reach? Most
+// searches end after a few steps.
+bool CellAnalysis::part_is_near(Index triangle) {
+  LatticeBox reach = box_;
+  for (int i = 0; i < 3; ++i) {
+    const std::int32_t extent = box_.hi[i] - box_.lo[i];
+    reach.lo[i] -= extent;
+    reach.hi[i] += extent;
+  }
+  visit_.resize(surface_.triangles.size(), 0);
+  ++visits_;
+  stack_.assign(1, triangle);
+  visit_[triangle] = visits_;
+  while (!stack_.empty()) {
+    const Index t = stack_.back();
+    stack_.pop_back();
+    for (const LatticePoint& p : surface_.triangles[t]) {
+      if (!vertex_in_box(p, reach)) return false;
+    }
+    for (Index side = 3 * t; side < 3 * t + 3; ++side) {
+      const Index other = surface_.topology.twin[side] / 3;
+      if (visit_[other] == visits_) continue;
+      visit_[other] = visits_;
+      stack_.push_back(other);
+    }
+  }
+  return true;
 }
 
 // Quadratic in the members, but all that is done for most pairs is to compare bounds.

@@ -17,6 +17,7 @@ namespace kdm {
 /// A crossing on one of the cell's edges.
 struct CellCrossing {
   Index triangle;
+  int edge;   ///< of the cell's twelve
   bool kept;  ///< the inside rule changes there: it will be a hit
 };
 
@@ -31,6 +32,9 @@ struct Piece {
   Index crossings = 0;
   Index kept = 0;
   LatticeBox bounds;
+  unsigned edges = 0;  ///< a bit for each of the cell's edges that it crosses
+
+  bool hangs_on_one_edge() const { return edges != 0 && (edges & (edges - 1)) == 0; }
 };
 
 /// The surface's section with a face of the cell has a closed curve (paper fig. 8a).
@@ -62,12 +66,16 @@ class CellAnalysis {
   bool pieces_are_disks() const;
   /// The first face of the cell with a closed curve, if there is one.
   std::optional<ClosedCurve> find_closed_curve();
+  /// A piece that hangs on one edge of the cell and is of a closed part no larger than the cells
+  /// round that edge, if there is one: it would come out without volume.
+  std::optional<Index> find_pillow();
   /// Do two triangles cross or touch within the cell, but for what neighbours share?
   bool triangles_cross() const;
 
  private:
   Index count_parts(std::span<const Index> subset, const LatticeBox& box);
   Index find(Index i);
+  bool part_is_near(Index triangle);
   bool members_cross(Index i, Index j) const;
 
   const Surface& surface_;
@@ -79,6 +87,9 @@ class CellAnalysis {
   std::vector<Index> local_;        // per triangle: its number among the members, or kNone
   std::vector<Index> subset_;
   std::vector<Index> parent_;
+  std::vector<Index> visit_;  // per triangle: the last search that came by
+  Index visits_ = 0;
+  std::vector<Index> stack_;
   std::vector<Index> vertices_;
   std::vector<Piece> pieces_;
   Index edges_ = 0;

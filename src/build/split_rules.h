@@ -69,10 +69,17 @@ class SplitRule {
 /// The middle of the box along the axis whose turn it is; nothing once that is one unit wide.
 std::optional<Split> midpoint_in_turn(const LatticeBox& box, int depth);
 
+/// Where the adaptive rule splits a cell that does not fit.
+enum class SplitPlacing {
+  kHalving,  ///< in the middle of its longest side
+  kInTurn,   ///< in the middle, x, y, z in turn: an octree
+  kFeature   ///< through or near features, paper 5.1.2 (2)
+};
+
 /// `tolerance` in lattice units.
 std::unique_ptr<SplitRule> make_split_rule(const Surface& surface, const BuildOptions& options,
                                            double tolerance, int depth);
 std::unique_ptr<SplitRule> make_adaptive_rule(const Surface& surface, double tolerance, int depth,
-                                              bool octree);
+                                              SplitPlacing placing);
 
 }  // namespace kdm

@@ -22,6 +22,7 @@ struct Word {
 
 constexpr Word<SplitStrategy> kStrategies[] = {{"adaptive", SplitStrategy::kAdaptive},
                                                {"octree", SplitStrategy::kOctree},
+                                               {"feature", SplitStrategy::kFeature},
                                                {"median", SplitStrategy::kMedian},
                                                {"uniform", SplitStrategy::kUniform}};
 constexpr Word<InsideRule> kInsideRules[] = {{"positive", InsideRule::kPositive},

@@ -64,6 +64,16 @@ Vec3 PrimalQuadric::minimiser() const {
   return centre_ + y;
 }
 
+Vec3 PrimalQuadric::certainty() const {
+  const SymmetricEigen eigen = symmetric_eigen(a_);
+  Vec3 sum = Vec3::Zero();
+  for (int k = 0; k < 3; ++k) {
+    if (!(eigen.values[k] > kRankCutoff * eigen.values[0])) break;
+    sum += eigen.vectors.col(k).cwiseAbs2();
+  }
+  return sum;
+}
+
 Vec3 PrimalQuadric::minimiser_in(const Vec3& lo, const Vec3& hi) const {
   const Vec3 x = minimiser();
   const bool inside = (x.array() >= lo.array()).all() && (x.array() <= hi.array()).all();

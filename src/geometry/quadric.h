@@ -36,6 +36,10 @@ class PrimalQuadric {
     return y.dot(a_ * y) - 2 * b_.dot(y) + c_;
   }
 
+  /// Per coordinate, how much of it the planes determine: 1 where the minimiser's is unique, 0
+  /// where it may be moved at will. Sums up to the rank.
+  Vec3 certainty() const;
+
   /// The minimiser nearest to the centre, directions with an eigenvalue below kRankCutoff of the
   /// largest left alone.
   Vec3 minimiser() const;

@@ -20,9 +20,9 @@ using namespace kdm::bench;
 using nlohmann::json;
 namespace fs = std::filesystem;
 
-constexpr std::array<SplitStrategy, 4> kStrategies = {
-    SplitStrategy::kAdaptive, SplitStrategy::kOctree, SplitStrategy::kMedian,
-    SplitStrategy::kUniform};
+constexpr std::array<SplitStrategy, 5> kStrategies = {
+    SplitStrategy::kAdaptive, SplitStrategy::kOctree, SplitStrategy::kFeature,
+    SplitStrategy::kMedian, SplitStrategy::kUniform};
 
 struct Outcome {
   json rows = json::array();

@@ -11,9 +11,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::array<std::pair<const char*, SplitStrategy>, 4> kStrategies = {
+constexpr std::array<std::pair<const char*, SplitStrategy>, 5> kStrategies = {
     {{"adaptive", SplitStrategy::kAdaptive},
      {"octree", SplitStrategy::kOctree},
+     {"feature", SplitStrategy::kFeature},
      {"median", SplitStrategy::kMedian},
      {"uniform", SplitStrategy::kUniform}}};
 

@@ -123,7 +123,7 @@ TEST_F(Cli, HelpListsTheOptions) {
                                               "--no-strict", "--output", "--pairing", "--quads",
                                               "--relative-tolerance", "--split-error", "--strategy",
                                               "--tolerance", "--version"}));
-    EXPECT_NE(outcome.out.find("adaptive|octree|median|uniform"), std::string::npos);
+    EXPECT_NE(outcome.out.find("adaptive|octree|feature|median|uniform"), std::string::npos);
   }
 }
 
@@ -278,7 +278,7 @@ TEST_F(Cli, CheckFailsOnWhatIsNotManifold) {
 TEST_F(Cli, MistakesInTheArguments) {
   EXPECT_EQ(complaint(""), "INPUT is required (--help lists the options)");
   EXPECT_EQ(complaint("cube.obj --strategy fast"),
-            "--strategy: 'fast' is none of adaptive, octree, median, uniform");
+            "--strategy: 'fast' is none of adaptive, octree, feature, median, uniform");
   EXPECT_EQ(complaint("cube.obj --inside even"),
             "--inside: 'even' is none of positive, odd, nonzero");
   EXPECT_EQ(complaint("cube.obj --pairing near"),

@@ -77,6 +77,7 @@ ExtractedMesh result_of(const json& entry) {
   options.strategy = pick<SplitStrategy>(entry, "strategy",
                                          {{"adaptive", SplitStrategy::kAdaptive},
                                           {"octree", SplitStrategy::kOctree},
+                                          {"feature", SplitStrategy::kFeature},
                                           {"median", SplitStrategy::kMedian},
                                           {"uniform", SplitStrategy::kUniform}});
   options.inside = pick<InsideRule>(entry, "inside",
@@ -112,6 +113,7 @@ json all_entries() {
     add(input, "octree", 13, "positive", "trace", false);
     add(input, "median", 18, "positive", "trace", false);
     add(input, "adaptive", 15, "positive", "trace", false);
+    add(input, "feature", 16, "positive", "trace", false);
     add(input, "uniform", 11, "odd", "hermite", false);
     add(input, "median", 12, "nonzero", "inside", false);
     add(input, "uniform", 10, "positive", "outside", false);

@@ -30,8 +30,9 @@ std::string text_of(const BuildOptions& options) {
 
 std::vector<BuildOptions> option_sets() {
   std::vector<BuildOptions> sets;
-  for (const SplitStrategy strategy : {SplitStrategy::kAdaptive, SplitStrategy::kOctree,
-                                       SplitStrategy::kMedian, SplitStrategy::kUniform}) {
+  for (const SplitStrategy strategy :
+       {SplitStrategy::kAdaptive, SplitStrategy::kOctree, SplitStrategy::kFeature,
+        SplitStrategy::kMedian, SplitStrategy::kUniform}) {
     for (const int depth : {1, 2, 5, 9, 12}) {
       if (check::kSanitized && depth % 2 == 0) continue;
       sets.push_back({.strategy = strategy, .depth = depth});
@@ -277,8 +278,9 @@ TEST(Models, RandomClosedMeshesAreTwoManifold) {
         shapes::random_tetrahedra(6, seed), shapes::integer_tetrahedra(8, 3, seed),
         shapes::random_voxels(3, 0.4, seed), shapes::collapsed_polyhedron(2, seed)};
     for (std::size_t i = 0; i < inputs.size(); ++i) {
-      for (const SplitStrategy strategy : {SplitStrategy::kAdaptive, SplitStrategy::kOctree,
-                                           SplitStrategy::kMedian, SplitStrategy::kUniform}) {
+      for (const SplitStrategy strategy :
+           {SplitStrategy::kAdaptive, SplitStrategy::kOctree, SplitStrategy::kFeature,
+            SplitStrategy::kMedian, SplitStrategy::kUniform}) {
         const Grid grid = build_grid(inputs[i], {.strategy = strategy, .depth = 9});
         ASSERT_NO_THROW(validate(grid.data())) << "seed " << seed << " kind " << i;
         const ExtractedMesh out = extract(grid);

@@ -19,8 +19,9 @@
 namespace kdm {
 namespace {
 
-constexpr std::array<SplitStrategy, 4> kStrategies{SplitStrategy::kAdaptive, SplitStrategy::kOctree,
-                                                   SplitStrategy::kMedian, SplitStrategy::kUniform};
+constexpr std::array<SplitStrategy, 5> kStrategies{SplitStrategy::kAdaptive, SplitStrategy::kOctree,
+                                                   SplitStrategy::kFeature, SplitStrategy::kMedian,
+                                                   SplitStrategy::kUniform};
 
 struct Leaf {
   Index cell = 0;
@@ -241,6 +242,18 @@ TEST(SplitRules, AdaptiveResolvesTheTopologyOfEmbeddedInput) {
     EXPECT_EQ(result.components, input.components);
     EXPECT_EQ(result.euler_characteristic, input.euler_characteristic);
   }
+}
+
+// A closed part that four cells round one edge could hold between them: it needs an edge of its own
+// in another direction, or it comes out as two triangles back to back.
+TEST(SplitRules, AdaptiveKeepsPartsSmallerThanTheTolerance) {
+  const Mesh scene = shapes::merged(
+      {shapes::cube(), shapes::box(Vec3(2.001, 2.002, 2.003), Vec3(2.011, 2.012, 2.013))});
+  const Grid grid = build_grid(scene, {.relative_tolerance = 0.01});
+  EXPECT_TRUE(grid.stats().topology_resolved);
+  const ExtractedMesh out = extract(grid);
+  EXPECT_EQ(out.report.dropped_pillows, 0u);
+  EXPECT_EQ(check::check_mesh(out).components, 2);
 }
 
 TEST(SplitRules, WhatIsGivenUpIsReported) {

@@ -34,7 +34,7 @@ void demand_sound(const Mesh& mesh) {
 
 void parse_bytes(const std::uint8_t* bytes, std::size_t size) {
   if (size == 0) return;
-  const auto format = static_cast<MeshFormat>(bytes[0] % 4);
+  const auto format = static_cast<MeshFormat>(bytes[0] % 5);
   Mesh mesh;
   try {
     mesh = parse_mesh(std::string_view(reinterpret_cast<const char*>(bytes + 1), size - 1), format);
@@ -66,12 +66,13 @@ void build_from_bytes(const std::uint8_t* bytes, std::size_t size) {
   constexpr std::size_t kMaxSize = 4 + 12 * 64;
   if (size < 4 || size > kMaxSize) return;
   BuildOptions options;
-  options.strategy = static_cast<SplitStrategy>(bytes[0] % 4);
-  options.inside = static_cast<InsideRule>(bytes[0] / 4 % 3);
-  options.pairing = static_cast<Pairing>(bytes[0] / 12 % 4);
+  options.strategy = static_cast<SplitStrategy>(bytes[0] % 5);
+  options.inside = static_cast<InsideRule>(bytes[0] / 5 % 3);
+  options.pairing = static_cast<Pairing>(bytes[0] / 15 % 4);
   options.depth = 1 + bytes[1] % (options.strategy == SplitStrategy::kMedian ? 60 : 12);
   options.relative_tolerance = bytes[3] / 1024.0;
-  const ExtractOptions extraction{.quads = (bytes[2] & 1) != 0};
+  const ExtractOptions extraction{.quads = (bytes[2] & 1) != 0,
+                                  .split_error = bytes[2] / 2 / 1024.0};
   const Mesh input = shapes::mesh_from_bytes(bytes + 4, size - 4);
   Grid grid;
   try {

@@ -73,7 +73,7 @@ test('arrays that are views into larger buffers are read where they are', () => 
   );
 });
 
-test.each(['adaptive', 'octree', 'median', 'uniform'])('strategy %s', (strategy) => {
+test.each(['adaptive', 'octree', 'feature', 'median', 'uniform'])('strategy %s', (strategy) => {
   const mesh = convert(torus(), { strategy, depth: 18 });
   expect(faults(mesh)).toEqual([]);
   expect(volume(mesh)).toBeGreaterThan(0);

@@ -17,7 +17,7 @@ type Table<T> = { readonly [K in keyof Required<T>]: OptionSpec };
 export const buildOptions: Table<BuildOptions> = {
   strategy: {
     kind: 'choice',
-    values: ['adaptive', 'octree', 'median', 'uniform'],
+    values: ['adaptive', 'octree', 'feature', 'median', 'uniform'],
     default: 'adaptive',
     help: 'how cells are split',
   },

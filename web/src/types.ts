@@ -55,12 +55,13 @@ export interface BuildOptions {
    * How cells are split:
    * - `adaptive` (default): until the surface is met within the tolerance and its topology resolved
    * - `octree`: the same, but at midpoints, x, y, z in turn
+   * - `feature`: the same, but through or near features of the cell (paper 5.1.2 (2))
    * - `median`: median of triangle centres, until every triangle is hit by a grid edge
    * - `uniform`: midpoints to the full depth wherever a cell meets the surface
    */
-  strategy?: 'adaptive' | 'octree' | 'median' | 'uniform';
+  strategy?: 'adaptive' | 'octree' | 'feature' | 'median' | 'uniform';
   /**
-   * `adaptive` and `octree`: how far the result may be from the input, in the model's units. At 0
+   * `adaptive`, `octree`, `feature`: how far the result may be from the input, in the model's units. At 0
    * (default) `relativeTolerance` counts instead.
    */
   tolerance?: number;

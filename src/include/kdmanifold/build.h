@@ -12,6 +12,7 @@ namespace kdm {
 enum class SplitStrategy {
   kAdaptive,  ///< until the surface is met within the tolerance and its topology is resolved
   kOctree,    ///< the same, but at midpoints, x, y, z in turn
+  kFeature,   ///< the same, through or near features of the cell (paper 5.1.2 (2))
   kMedian,    ///< paper 5.1.2 (1): median of triangle centres until every triangle is hit by a grid
               ///< edge
   kUniform    ///< midpoints in turn, to the full depth wherever a closed cell meets the surface
