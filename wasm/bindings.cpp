@@ -14,6 +14,7 @@ EMSCRIPTEN_BINDINGS(kdmanifold) {
   function("parseMesh", &kdm::wasm::parse_mesh);
   function("formatMesh", &kdm::wasm::format_mesh);
   function("describe", &kdm::wasm::describe);
+  function("findSelfIntersections", &kdm::wasm::find_self_intersections);
   function("memory", &kdm::wasm::memory);
   function("version", &kdm::wasm::version);
 }

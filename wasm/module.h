@@ -146,6 +146,16 @@ inline val format_mesh(val mesh, val format) {
   });
 }
 
+inline val find_self_intersections(val mesh) {
+  return guard([&] {
+    const SelfIntersections found = kdm::find_self_intersections(to_mesh(mesh));
+    val to = val::object();
+    to.set("pairs", static_cast<double>(found.pairs));
+    to.set("faces", copy_out("Uint32Array", found.faces.size(), found.faces.data()));
+    return to;
+  });
+}
+
 inline val describe(val mesh) {
   return guard([&] { return from_mesh_report(kdm::describe(to_mesh(mesh))); });
 }

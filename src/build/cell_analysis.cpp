@@ -212,8 +212,8 @@ bool CellAnalysis::members_cross(Index i, Index j) const {
   const Index a = members_[i];
   const Index b = members_[j];
   if (surface_.degenerate[a] != 0 || surface_.degenerate[b] != 0) return false;
-  if (!kdm::triangles_cross({surface_.triangles[a], surface_.corners[a]},
-                            {surface_.triangles[b], surface_.corners[b]})) {
+  if (!TriangleCrossing<LatticeKernel>::test(surface_.triangles[a], surface_.corners[a],
+                                             surface_.triangles[b], surface_.corners[b])) {
     return false;
   }
   // They may cross outside the cell.

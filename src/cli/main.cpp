@@ -71,6 +71,7 @@ int run(const Command& command) {
   report.grid = grid.stats();
   report.output = describe(result);
   report.extracted = result.report;
+  if (command.check) report.self_intersections = find_self_intersections(result).pairs;
   report.peak_bytes = peak_bytes();
   print(command.json ? report_as_json(report, command) : report_as_text(report, command));
   return command.check && !report.output.two_manifold ? kNotManifold : 0;

@@ -131,7 +131,7 @@ std::vector<Flag> flags(Command& command) {
        [&] { command.extract.strict = false; }},
       {"--json", "print one JSON report on standard output, nothing else",
        [&] { command.json = true; }},
-      {"--check", "verify the output; exit status 1 if it is not 2-manifold",
+      {"--check", "verify the output, count crossings; exit status 1 if it is not 2-manifold",
        [&] { command.check = true; }},
   };
 }

@@ -74,8 +74,11 @@ std::string topology_text(const GridStats& grid) {
   return fmt::format(", topology given up in {} leaves", grid.unresolved_leaves);
 }
 
-std::string check_text(const MeshReport& output) {
-  if (output.two_manifold) return "check    passed: 2-manifold\n";
+std::string check_text(const MeshReport& output, std::uint64_t self_intersections) {
+  if (output.two_manifold) {
+    return fmt::format("check    passed: 2-manifold; {} pairs of triangles cross\n",
+                       self_intersections == 0 ? "no" : std::to_string(self_intersections));
+  }
   return fmt::format(
       "check    FAILED: {} boundary, {} non-manifold, {} misoriented edges, {} non-manifold "
       "vertices, {} degenerate, {} duplicate faces\n",
@@ -89,7 +92,10 @@ std::string report_as_json(const RunReport& report, const Command& command) {
   Json json = {{"input", input_json(report.input)},
                {"grid", grid_json(report.grid)},
                {"output", output_json(report.output, report.extracted)}};
-  if (command.check) json["check"] = check_json(report.output);
+  if (command.check) {
+    json["output"]["selfIntersections"] = report.self_intersections;
+    json["check"] = check_json(report.output);
+  }
   json["seconds"] = {{"read", report.seconds.read},
                      {"build", report.seconds.build},
                      {"extract", report.seconds.extract}};
@@ -117,7 +123,7 @@ std::string report_as_text(const RunReport& report, const Command& command) {
                       faces_text(output.triangles, output.quads), output.components,
                       output.euler_characteristic,
                       output.two_manifold ? "closed 2-manifold" : "not 2-manifold");
-  if (command.check) text += check_text(output);
+  if (command.check) text += check_text(output, report.self_intersections);
   text += fmt::format("seconds  read {:.3f}, build {:.3f}, extract {:.3f}", report.seconds.read,
                       report.seconds.build, report.seconds.extract);
   if (!command.output.empty()) text += fmt::format(", write {:.3f}", report.seconds.write);

@@ -19,12 +19,13 @@ struct RunReport {
   GridStats grid;
   MeshReport output;
   ExtractReport extracted;
+  std::uint64_t self_intersections = 0;  ///< of the output; with --check only
   Seconds seconds;
   std::uint64_t peak_bytes = 0;  ///< most memory the process held; 0: unknown
 };
 
-/// `input`, `grid`, `output`, with --check also `check`, then `seconds` and `peakBytes`; indented,
-/// with a line end.
+/// `input`, `grid`, `output` (with --check also its `selfIntersections`), with --check `check`,
+/// then `seconds` and `peakBytes`; indented, with a line end.
 std::string report_as_json(const RunReport& report, const Command& command);
 /// A few lines for people.
 std::string report_as_text(const RunReport& report, const Command& command);

@@ -172,10 +172,10 @@ TEST_F(Cli, ReportHasTheDocumentedKeys) {
   EXPECT_EQ(keys(json["grid"]),
             (Names{"cells", "leaves", "hits", "depth", "bytes", "topologyResolved",
                    "unresolvedLeaves", "ambiguousFaces", "guessedFaces"}));
-  EXPECT_EQ(
-      keys(json["output"]),
-      (Names{"vertices", "triangles", "quads", "components", "eulerCharacteristic", "twoManifold",
-             "closed", "volume", "area", "droppedPillows", "insertedVertices", "splitVertices"}));
+  EXPECT_EQ(keys(json["output"]),
+            (Names{"vertices", "triangles", "quads", "components", "eulerCharacteristic",
+                   "twoManifold", "closed", "volume", "area", "droppedPillows", "insertedVertices",
+                   "splitVertices", "selfIntersections"}));
   EXPECT_EQ(keys(json["check"]),
             (Names{"twoManifold", "closed", "boundaryEdges", "nonManifoldEdges", "misorientedEdges",
                    "nonManifoldVertices", "degenerateFaces", "duplicateFaces"}));

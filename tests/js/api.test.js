@@ -187,6 +187,14 @@ test('progress goes from 0 to 1 and never back', () => {
   expect(Math.max(...seen)).toBeLessThanOrEqual(2);
 });
 
+test('self-intersections are found', () => {
+  expect(kdm.findSelfIntersections(cube())).toEqual({ pairs: 0, faces: new Uint32Array() });
+  const { pairs, faces } = kdm.findSelfIntersections(together(cube(2), cube(2, [1, 1, 1])));
+  expect(pairs).toBeGreaterThan(10);
+  expect(faces).toBeInstanceOf(Uint32Array);
+  expect([...faces]).toEqual([...faces].sort((a, b) => a - b));
+});
+
 test('describe counts', () => {
   const report = kdm.describe(cube());
   expect(report).toMatchObject({

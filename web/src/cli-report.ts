@@ -7,12 +7,12 @@ import type { ExtractReport, GridStats, InputReport, MeshReport } from './types.
 export interface CliReport {
   input: InputReport;
   grid: GridStats;
-  output: MeshReport & ExtractReport;
+  output: MeshReport & ExtractReport & { selfIntersections?: number };
   seconds: { read: number; build: number; extract: number; write?: number };
   peakBytes: number;
 }
 
-/** `input`, `grid`, `output`, with --check also `check`, then `seconds` and `peakBytes`. */
+/** `input`, `grid`, `output` (with --check also its `selfIntersections`), with --check `check`, then `seconds` and `peakBytes`. */
 export function reportAsJson(report: CliReport, command: Command): string {
   const { output } = report;
   const json = {
@@ -31,6 +31,7 @@ export function reportAsJson(report: CliReport, command: Command): string {
       droppedPillows: output.droppedPillows,
       insertedVertices: output.insertedVertices,
       splitVertices: output.splitVertices,
+      selfIntersections: output.selfIntersections,
     },
     check: command.check ? checkOf(output) : undefined,
     seconds: report.seconds,
@@ -81,7 +82,7 @@ export function reportAsText(report: CliReport, command: Command): string {
   if (command.check) {
     lines.push(
       output.twoManifold
-        ? 'check    passed: 2-manifold'
+        ? `check    passed: 2-manifold; ${output.selfIntersections || 'no'} pairs of triangles cross`
         : `check    FAILED: ${output.boundaryEdges} boundary, ${output.nonManifoldEdges} ` +
             `non-manifold, ${output.misorientedEdges} misoriented edges, ` +
             `${output.nonManifoldVertices} non-manifold vertices, ${output.degenerateFaces} ` +

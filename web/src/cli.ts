@@ -63,7 +63,11 @@ function convertFile(library: Awaited<ReturnType<typeof load>>, command: Command
   return {
     input: grid.input,
     grid: grid.stats,
-    output: { ...library.describe(result), ...report },
+    output: {
+      ...library.describe(result),
+      ...report,
+      ...(command.check ? { selfIntersections: library.findSelfIntersections(result).pairs } : {}),
+    },
     seconds,
     peakBytes: process.resourceUsage().maxRSS * 1024,
   };

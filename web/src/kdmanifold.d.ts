@@ -8,6 +8,7 @@ import type {
   MeshReport,
   ParsedMesh,
   PolygonMeshInput,
+  SelfIntersections,
 } from './types.js';
 
 /** What guard() in wasm/marshal.h returns. */
@@ -28,6 +29,7 @@ export interface RawModule {
   parseMesh(bytes: Uint8Array, format: string, name: string): Answer<ParsedMesh>;
   formatMesh(mesh: PolygonMeshInput, format: string): Answer<Uint8Array<ArrayBuffer>>;
   describe(mesh: PolygonMeshInput): Answer<MeshReport>;
+  findSelfIntersections(mesh: PolygonMeshInput): Answer<SelfIntersections>;
   memory(): { heapBytes: number; usedBytes: number };
   version(): string;
 }

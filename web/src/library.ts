@@ -13,6 +13,7 @@ import type {
   ParsedMesh,
   PolygonMeshInput,
   ProgressOptions,
+  SelfIntersections,
 } from './types.js';
 
 const formats: readonly string[] = ['obj', 'stl', 'ply', 'off'] satisfies MeshFormat[];
@@ -68,6 +69,12 @@ export class KdManifold {
   describe(mesh: PolygonMeshInput): MeshReport {
     const input = checkPolygonMesh(mesh);
     return call(this.#health, undefined, () => this.#raw.describe(input));
+  }
+
+  /** Finds the faces that cross or touch others, exactly, for the coordinates as they are. */
+  findSelfIntersections(mesh: PolygonMeshInput): SelfIntersections {
+    const input = checkPolygonMesh(mesh);
+    return call(this.#health, undefined, () => this.#raw.findSelfIntersections(input));
   }
 
   /** Reads a file's content; `name` is what error messages call it. */

@@ -206,6 +206,14 @@ export interface MeshReport {
   bounds: { min: Float64Array; max: Float64Array };
 }
 
+/** Faces that cross or touch others where they share no vertex or edge. */
+export interface SelfIntersections {
+  /** Pairs of triangles; a quad counts as its two at the corners 0 and 2. */
+  pairs: number;
+  /** The faces that are part of one, ascending: triangles first, then quads. */
+  faces: Uint32Array<ArrayBuffer>;
+}
+
 /** The part of `Report` about the result. */
 export interface OutputReport extends ExtractReport {
   vertices: number;

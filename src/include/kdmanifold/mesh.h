@@ -48,4 +48,15 @@ struct MeshReport {
 /// names a vertex that does not exist.
 MeshReport describe(const Mesh& mesh);
 
+/// Faces that cross or touch others where they share no vertex or edge.
+struct SelfIntersections {
+  std::uint64_t pairs = 0;   ///< of triangles; a quad counts as its two at the corners 0 and 2
+  std::vector<Index> faces;  ///< that are part of one, ascending: triangles first, then quads
+};
+
+/// Finds them exactly, for the coordinates as they are. Faces without area take no part. n log n
+/// in the faces unless many overlap. Throws `kInvalidMesh` if a face names a vertex that does not
+/// exist.
+SelfIntersections find_self_intersections(const Mesh& mesh);
+
 }  // namespace kdm

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// Crossings of a mesh's faces: known counts, and all pairs by brute force.
+#include <gtest/gtest.h>
+
+#include "geometry/triangle_triangle.h"
+#include "kdmanifold/error.h"
+#include "kdmanifold/mesh.h"
+#include "support/random_meshes.h"
+#include "support/shapes.h"
+
+namespace kdm {
+namespace {
+
+SelfIntersections by_brute_force(const Mesh& mesh) {
+  const auto corners = [&](Index t) {
+    const Triangle& n = mesh.triangles[t];
+    return std::array<Vec3, 3>{mesh.positions[n[0]], mesh.positions[n[1]], mesh.positions[n[2]]};
+  };
+  SelfIntersections found;
+  std::vector<char> part(mesh.triangles.size(), 0);
+  for (Index i = 0; i < mesh.triangles.size(); ++i) {
+    for (Index j = 0; j < i; ++j) {
+      if (!TriangleCrossing<RealKernel>::test(corners(i), mesh.triangles[i], corners(j),
+                                              mesh.triangles[j])) {
+        continue;
+      }
+      ++found.pairs;
+      part[i] = part[j] = 1;
+    }
+  }
+  for (Index i = 0; i < part.size(); ++i) {
+    if (part[i] != 0) found.faces.push_back(i);
+  }
+  return found;
+}
+
+TEST(SelfIntersections, SolidsHaveNone) {
+  for (const Mesh& mesh :
+       {shapes::cube(), shapes::icosphere(3), shapes::torus(), shapes::nested_spheres(),
+        shapes::torus_chain(3), shapes::rotated(shapes::stairs(5), Vec3(1, 2, 3), 0.7)}) {
+    const SelfIntersections found = find_self_intersections(mesh);
+    EXPECT_EQ(found.pairs, 0u);
+    EXPECT_TRUE(found.faces.empty());
+  }
+}
+
+TEST(SelfIntersections, ASpikeThroughATriangle) {
+  Mesh mesh;
+  mesh.positions = {Vec3(0, 0, 0), Vec3(4, 0, 0),  Vec3(0, 4, 0),
+                    Vec3(1, 1, 1), Vec3(1, 1, -1), Vec3(9, 9, 0)};
+  mesh.triangles = {{0, 1, 2}, {3, 4, 5}};
+  const SelfIntersections found = find_self_intersections(mesh);
+  EXPECT_EQ(found.pairs, 1u);
+  EXPECT_EQ(found.faces, (std::vector<Index>{0, 1}));
+  mesh.positions[3] = mesh.positions[4] = Vec3(3, 3, 1);
+  mesh.positions[4][2] = -1;
+  EXPECT_EQ(find_self_intersections(mesh).pairs, 0u);
+}
+
+TEST(SelfIntersections, TheSameAsByBruteForce) {
+  std::uint64_t pairs = 0;
+  for (std::uint32_t seed = 0; seed < 10; ++seed) {
+    for (const Mesh& mesh :
+         {shapes::random_tetrahedra(12, seed), shapes::integer_tetrahedra(12, 3, seed),
+          shapes::random_voxels(3, 0.4, seed), shapes::overlapping_cubes()}) {
+      const SelfIntersections expected = by_brute_force(mesh);
+      // Products of coordinates as small as these would be zero.
+      const bool small = seed % 2 == 1;
+      const SelfIntersections found =
+          find_self_intersections(shapes::scaled(mesh, Vec3::Constant(small ? 0x1p-400 : 1)));
+      ASSERT_EQ(found.pairs, expected.pairs);
+      ASSERT_EQ(found.faces, expected.faces);
+      pairs += found.pairs;
+    }
+  }
+  EXPECT_GT(pairs, 1000u);
+}
+
+TEST(SelfIntersections, QuadsCountAsTwoTriangles) {
+  Mesh mesh;
+  mesh.positions = {Vec3(0, 0, 0), Vec3(4, 0, 0),  Vec3(4, 4, 0), Vec3(0, 4, 0),
+                    Vec3(2, 2, 1), Vec3(2, 2, -1), Vec3(9, 2, 0)};
+  mesh.triangles = {{4, 5, 6}};
+  mesh.quads = {{0, 1, 2, 3}};
+  const SelfIntersections found = find_self_intersections(mesh);
+  EXPECT_EQ(found.faces, (std::vector<Index>{0, 1}));
+  EXPECT_GE(found.pairs, 1u);
+}
+
+TEST(SelfIntersections, FacesWithoutAreaTakeNoPart) {
+  Mesh mesh = shapes::cube();
+  mesh.triangles.push_back({0, 0, 1});
+  mesh.positions.emplace_back(0.5, 0.5, -1);
+  mesh.positions.emplace_back(0.5, 0.5, 0.5);
+  mesh.positions.emplace_back(0.5, 0.5, 2);
+  mesh.triangles.push_back({8, 9, 10});
+  EXPECT_EQ(find_self_intersections(mesh).pairs, 0u);
+  EXPECT_EQ(find_self_intersections(Mesh()).pairs, 0u);
+}
+
+TEST(SelfIntersections, AFaceOutOfRangeIsRefused) {
+  Mesh mesh = shapes::cube();
+  mesh.triangles.push_back({0, 1, 99});
+  EXPECT_THROW(find_self_intersections(mesh), Error);
+}
+
+}  // namespace
+}  // namespace kdm
