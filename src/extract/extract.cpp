@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <new>
-#include <optional>
 
 #include "extract/dual_mesh.h"
 #include "extract/place.h"
@@ -26,14 +25,14 @@ void report(const Progress& progress, double fraction, std::string_view phase) {
 // would fold it: by default only what looks like a second feature is split.
 constexpr double kFeature = 0.3;
 
-std::optional<SplitError> split_error(const GridData& grid, const ExtractOptions& options) {
+SplitError split_error(const GridData& grid, const ExtractOptions& options) {
   if (!(options.split_error >= 0)) {
     throw Error(ErrorCode::kInvalidOption,
                 fmt::format("split_error is {}; it must be a number that is not negative",
                             options.split_error));
   }
   if (options.split_error > 0) return SplitError{options.split_error / grid.lattice.step, 0};
-  if (options.quads) return std::nullopt;
+  if (options.quads) return {};
   return SplitError{grid.tolerance, kFeature};
 }
 
@@ -79,7 +78,7 @@ void emit(const GridData& grid, const DualMesh& mesh, bool quads, ExtractedMesh&
 ExtractedMesh extract(const Grid& handle, const ExtractOptions& options,
                       const Progress& progress) try {
   const GridData& grid = handle.data();
-  const std::optional<SplitError> error = split_error(grid, options);
+  const SplitError error = split_error(grid, options);
   report(progress, 0.0, "loops");
   DualMesh mesh = dual_mesh_of(grid);
   if (options.strict) drop_pillows(mesh);
@@ -87,10 +86,10 @@ ExtractedMesh extract(const Grid& handle, const ExtractOptions& options,
   report(progress, 0.4, "vertices");
   const std::vector<LatticeBox> boxes = cell_boxes(grid);
   const std::vector<Vec3> points = hit_points(grid, boxes);
-  place_vertices(grid, boxes, points, mesh);
+  const std::vector<Index> off = place_vertices(grid, boxes, points, error, mesh);
   ExtractedMesh out;
   report(progress, 0.7, "vertices");
-  if (error) out.report.split_vertices = split_vertices(grid, boxes, points, *error, mesh);
+  out.report.split_vertices = split_vertices(grid, boxes, points, error, off, mesh);
   report(progress, 0.8, "faces");
   if (options.strict) out.report.inserted_vertices = separate_double_edges(points, mesh);
   out.report.dropped_pillows = mesh.dropped_pillows;

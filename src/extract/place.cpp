@@ -2,6 +2,9 @@
 // Where vertices go (paper 2.2.1).
 #include "extract/place.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "geometry/quadric.h"
 
 namespace kdm {
@@ -42,11 +45,29 @@ Vec3 vertex_position(const GridData& grid, const std::vector<Vec3>& points,
   return quadric.minimiser_in(real(box.lo), real(box.hi));
 }
 
-void place_vertices(const GridData& grid, const std::vector<LatticeBox>& boxes,
-                    const std::vector<Vec3>& points, DualMesh& mesh) {
-  mesh.position.reserve(mesh.first.size());
+double error_limit(const SplitError& error, const std::vector<Vec3>& points,
+                   std::span<const Index> hits, const Vec3& vertex) {
+  double furthest = 0;
+  for (const Index h : hits) furthest = std::max(furthest, (points[h] - vertex).squaredNorm());
+  return std::max(error.distance, error.of_hits * std::sqrt(furthest));
+}
+
+bool meets_planes(const GridData& grid, std::span<const Index> hits, const Vec3& vertex,
+                  double distance) {
+  return std::all_of(hits.begin(), hits.end(), [&](Index h) {
+    const Plane& plane = grid.planes[grid.hits[h].plane()];
+    return std::abs(plane.normal.dot(vertex) - plane.offset) <= distance;
+  });
+}
+
+std::vector<Index> place_vertices(const GridData& grid, const std::vector<LatticeBox>& boxes,
+                                  const std::vector<Vec3>& points, const SplitError& error,
+                                  DualMesh& mesh) {
+  const auto vertices = static_cast<Index>(mesh.first.size());
+  mesh.position.reserve(vertices);
+  std::vector<Index> off;
   std::vector<Index> hits;
-  for (std::size_t vertex = 0; vertex < mesh.first.size(); ++vertex) {
+  for (Index vertex = 0; vertex < vertices; ++vertex) {
     hits.clear();
     const Index first = mesh.first[vertex];
     Index half_edge = first;
@@ -54,8 +75,14 @@ void place_vertices(const GridData& grid, const std::vector<LatticeBox>& boxes,
       hits.push_back(mesh.hit[half_edge / 3]);
       half_edge = next_in_triangle(mesh.opposite[half_edge]);
     } while (half_edge != first);
-    mesh.position.push_back(vertex_position(grid, points, hits, boxes[mesh.leaf[vertex]]));
+    const Vec3 position = vertex_position(grid, points, hits, boxes[mesh.leaf[vertex]]);
+    mesh.position.push_back(position);
+    if (!meets_planes(grid, hits, position, error.distance) &&
+        !meets_planes(grid, hits, position, error_limit(error, points, hits, position))) {
+      off.push_back(vertex);
+    }
   }
+  return off;
 }
 
 }  // namespace kdm

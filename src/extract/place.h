@@ -2,6 +2,7 @@
 // Where vertices go (paper 2.2.1).
 #pragma once
 
+#include <limits>
 #include <span>
 
 #include "extract/dual_mesh.h"
@@ -15,9 +16,24 @@ std::vector<Vec3> hit_points(const GridData& grid, const std::vector<LatticeBox>
 Vec3 vertex_position(const GridData& grid, const std::vector<Vec3>& points,
                      std::span<const Index> hits, const LatticeBox& box);
 
+/// How far a vertex may lie from the plane of one of its hits: the larger of the two.
+struct SplitError {
+  double distance = std::numeric_limits<double>::infinity();  ///< lattice units
+  double of_hits = 0;  ///< fraction of the distance to the furthest of its hits
+};
+
 /// Puts each loop's vertex at the minimum of the squared distances to its hits' planes, within
-/// its leaf.
-void place_vertices(const GridData& grid, const std::vector<LatticeBox>& boxes,
-                    const std::vector<Vec3>& points, DualMesh& mesh);
+/// its leaf. Returns the vertices that lie further off than the error.
+std::vector<Index> place_vertices(const GridData& grid, const std::vector<LatticeBox>& boxes,
+                                  const std::vector<Vec3>& points, const SplitError& error,
+                                  DualMesh& mesh);
+
+/// What the error comes to for a vertex of these hits.
+double error_limit(const SplitError& error, const std::vector<Vec3>& points,
+                   std::span<const Index> hits, const Vec3& vertex);
+
+/// Does the vertex lie within this distance of the planes of all the hits?
+bool meets_planes(const GridData& grid, std::span<const Index> hits, const Vec3& vertex,
+                  double distance);
 
 }  // namespace kdm

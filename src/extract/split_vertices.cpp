@@ -23,8 +23,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "extract/place.h"
-
 namespace kdm {
 namespace {
 
@@ -37,15 +35,11 @@ class Splitting {
             const std::vector<Vec3>& points, const SplitError& error, DualMesh& mesh)
       : grid_(grid), boxes_(boxes), points_(points), error_(error), mesh_(mesh) {}
 
-  Index run() {
+  Index run(const std::vector<Index>& vertices) {
     const auto loops = static_cast<Index>(mesh_.first.size());
-    for (Index v = 0; v < loops; ++v) {
+    for (const Index v : vertices) {
       read_ring(v);
-      double furthest = 0;
-      for (const Index h : polygons_) {
-        furthest = std::max(furthest, (points_[h] - mesh_.position[v]).squaredNorm());
-      }
-      limit_ = std::max(error_.distance, error_.of_hits * std::sqrt(furthest));
+      limit_ = error_limit(error_, points_, polygons_, mesh_.position[v]);
       split(v);
     }
     return static_cast<Index>(mesh_.first.size()) - loops;
@@ -54,7 +48,7 @@ class Splitting {
  private:
   // Cuts sections off v until what is left to it fits, or no cut leaves sound triangles.
   void split(Index v) {
-    while (!fits(polygons_, mesh_.position[v])) {
+    while (!meets_planes(grid_, polygons_, mesh_.position[v], limit_)) {
       bool cut = false;
       for (std::size_t start = 0; start < polygons_.size() && !cut; ++start) {
         cut = cut_off(v, find_section(start, mesh_.leaf[v]));
@@ -92,13 +86,6 @@ class Splitting {
     } while (half_edge != first);
   }
 
-  bool fits(const std::vector<Index>& hits, const Vec3& position) const {
-    return std::all_of(hits.begin(), hits.end(), [&](Index h) {
-      const Plane& plane = grid_.planes[grid_.hits[h].plane()];
-      return std::abs(plane.normal.dot(position) - plane.offset) <= limit_;
-    });
-  }
-
   // Does one vertex serve the section? If so, its position is kept.
   bool serve(Section& section, Index leaf) {
     hits_.clear();
@@ -106,7 +93,7 @@ class Splitting {
       hits_.push_back(polygons_[(section.first + i) % polygons_.size()]);
     }
     const Vec3 position = vertex_position(grid_, points_, hits_, boxes_[leaf]);
-    if (!fits(hits_, position)) return false;
+    if (!meets_planes(grid_, hits_, position, limit_)) return false;
     section.position = position;
     return true;
   }
@@ -211,8 +198,9 @@ class Splitting {
 }  // namespace
 
 Index split_vertices(const GridData& grid, const std::vector<LatticeBox>& boxes,
-                     const std::vector<Vec3>& points, const SplitError& error, DualMesh& mesh) {
-  return Splitting(grid, boxes, points, error, mesh).run();
+                     const std::vector<Vec3>& points, const SplitError& error,
+                     const std::vector<Index>& vertices, DualMesh& mesh) {
+  return Splitting(grid, boxes, points, error, mesh).run(vertices);
 }
 
 }  // namespace kdm

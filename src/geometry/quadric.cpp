@@ -53,13 +53,38 @@ SymmetricEigen symmetric_eigen(const Eigen::Matrix3d& matrix) {
   return result;
 }
 
+namespace {
+
+// Where the planes are nearly one, which is what most vertices see, only the largest eigenvalue
+// counts, and powers of the matrix show its vector: squared three times, the others' share is
+// below rounding.
+bool dominant_direction(const Eigen::Matrix3d& a, Vec3& direction) {
+  const double trace = a.trace();
+  const double minors = a(0, 0) * a(1, 1) - a(0, 1) * a(0, 1) + a(0, 0) * a(2, 2) -
+                        a(0, 2) * a(0, 2) + a(1, 1) * a(2, 2) - a(1, 2) * a(1, 2);
+  // The minors add up to the largest eigenvalue times the sum of the others, or a little more.
+  if (!(minors < 0.5 * PrimalQuadric::kRankCutoff * trace * trace)) return false;
+  Eigen::Matrix3d power = a / trace;
+  for (int i = 0; i < 3; ++i) power = (power * power).eval();
+  int longest = 0;
+  power.diagonal().maxCoeff(&longest);
+  direction = power.col(longest) / power.col(longest).norm();
+  return true;
+}
+
+}  // namespace
+
 Vec3 PrimalQuadric::minimiser() const {
+  Vec3 direction;
+  if (dominant_direction(a_, direction)) {
+    return centre_ + direction * (direction.dot(b_) / direction.dot(a_ * direction));
+  }
   const SymmetricEigen eigen = symmetric_eigen(a_);
   Vec3 y = Vec3::Zero();
   for (int k = 0; k < 3; ++k) {
     if (!(eigen.values[k] > kRankCutoff * eigen.values[0])) break;
-    const Vec3 direction = eigen.vectors.col(k);
-    y += direction * (direction.dot(b_) / eigen.values[k]);
+    const Vec3 axis = eigen.vectors.col(k);
+    y += axis * (axis.dot(b_) / eigen.values[k]);
   }
   return centre_ + y;
 }

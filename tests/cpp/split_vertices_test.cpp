@@ -6,7 +6,6 @@
 
 #include <limits>
 
-#include "extract/place.h"
 #include "extract/strict.h"
 #include "kdmanifold/build.h"
 #include "kdmanifold/error.h"
@@ -22,6 +21,7 @@ namespace {
 // --- All small rings -----------------------------------------------------------------------------
 
 constexpr std::int32_t kSize = 64;
+constexpr SplitError kError{.distance = 0.01};
 
 // Planes that a ring of polygons may lie in: some meet in one point, some are parallel.
 const std::array<Plane, 5> kPlanes{{{Vec3(1, 0, 0), 10},
@@ -36,6 +36,7 @@ struct Fan {
   GridData grid;
   DualMesh mesh;
   std::vector<Vec3> points;
+  std::vector<Index> off;  // the vertices to be split
   std::vector<LatticeBox> boxes{{{0, 0, 0}, {kSize, kSize, kSize}}};
 
   explicit Fan(const std::vector<int>& ring) {
@@ -55,7 +56,7 @@ struct Fan {
     // Vertices were numbered as leaves; each gets a box of its own number.
     boxes.assign(n + 2, boxes[0]);
     find_loops(grid, mesh);
-    place_vertices(grid, boxes, points, mesh);
+    off = place_vertices(grid, boxes, points, kError, mesh);
   }
 };
 
@@ -87,7 +88,7 @@ TEST(SplitVertices, EveryRingOfUpToSixPolygonsStaysASphere) {
       const auto loops = static_cast<Index>(fan.mesh.first.size());
       const Index triangles = fan.mesh.triangles();
       const Index added =
-          split_vertices(fan.grid, fan.boxes, fan.points, {.distance = 0.01}, fan.mesh);
+          split_vertices(fan.grid, fan.boxes, fan.points, kError, fan.off, fan.mesh);
       ASSERT_EQ(fan.mesh.first.size(), loops + added);
       ASSERT_EQ(fan.mesh.triangles(), triangles + 2 * added);
       ASSERT_EQ(fan.mesh.position.size(), fan.mesh.first.size());
