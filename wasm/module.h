@@ -46,6 +46,7 @@ inline ExtractOptions to_extract_options(const val& from) {
   ExtractOptions options;
   read(from, "quads", options.quads);
   read(from, "splitError", options.split_error);
+  read(from, "unfold", options.unfold);
   read(from, "strict", options.strict);
   return options;
 }
@@ -123,6 +124,7 @@ inline val extract(const Grid& grid, val options, val progress) {
     report.set("droppedPillows", mesh.report.dropped_pillows);
     report.set("insertedVertices", mesh.report.inserted_vertices);
     report.set("splitVertices", mesh.report.split_vertices);
+    report.set("flippedEdges", mesh.report.flipped_edges);
     to.set("report", report);
     return to;
   });

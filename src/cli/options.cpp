@@ -127,6 +127,8 @@ std::vector<ValueOption> value_options(Command& command) {
 std::vector<Flag> flags(Command& command) {
   return {
       {"--quads", "write quads where four leaves meet", [&] { command.extract.quads = true; }},
+      {"--no-unfold", "leave triangles that are folded over as they are",
+       [&] { command.extract.unfold = false; }},
       {"--no-strict", "keep double edges and parts without volume",
        [&] { command.extract.strict = false; }},
       {"--json", "print one JSON report on standard output, nothing else",

@@ -48,7 +48,8 @@ Json output_json(const MeshReport& output, const ExtractReport& extracted) {
           {"area", output.area},
           {"droppedPillows", extracted.dropped_pillows},
           {"insertedVertices", extracted.inserted_vertices},
-          {"splitVertices", extracted.split_vertices}};
+          {"splitVertices", extracted.split_vertices},
+          {"flippedEdges", extracted.flipped_edges}};
 }
 
 // What --check looked for.

@@ -10,6 +10,7 @@
 #include "extract/place.h"
 #include "extract/split_vertices.h"
 #include "extract/strict.h"
+#include "extract/unfold.h"
 #include "kdmanifold/error.h"
 
 namespace kdm {
@@ -92,6 +93,7 @@ ExtractedMesh extract(const Grid& handle, const ExtractOptions& options,
   out.report.split_vertices = split_vertices(grid, boxes, points, error, off, mesh);
   report(progress, 0.8, "faces");
   if (options.strict) out.report.inserted_vertices = separate_double_edges(points, mesh);
+  if (options.unfold && !options.quads) out.report.flipped_edges = unfold(grid, mesh);
   out.report.dropped_pillows = mesh.dropped_pillows;
   emit(grid, mesh, options.quads, out);
   report(progress, 1.0, "faces");

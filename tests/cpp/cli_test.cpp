@@ -120,9 +120,9 @@ TEST_F(Cli, HelpListsTheOptions) {
       options.insert(it->str());
     }
     EXPECT_EQ(options, (std::set<std::string>{"--check", "--depth", "--help", "--inside", "--json",
-                                              "--no-strict", "--output", "--pairing", "--quads",
-                                              "--relative-tolerance", "--split-error", "--strategy",
-                                              "--tolerance", "--version"}));
+                                              "--no-strict", "--no-unfold", "--output", "--pairing",
+                                              "--quads", "--relative-tolerance", "--split-error",
+                                              "--strategy", "--tolerance", "--version"}));
     EXPECT_NE(outcome.out.find("adaptive|octree|feature|median|uniform"), std::string::npos);
   }
 }
@@ -175,7 +175,7 @@ TEST_F(Cli, ReportHasTheDocumentedKeys) {
   EXPECT_EQ(keys(json["output"]),
             (Names{"vertices", "triangles", "quads", "components", "eulerCharacteristic",
                    "twoManifold", "closed", "volume", "area", "droppedPillows", "insertedVertices",
-                   "splitVertices", "selfIntersections"}));
+                   "splitVertices", "flippedEdges", "selfIntersections"}));
   EXPECT_EQ(keys(json["check"]),
             (Names{"twoManifold", "closed", "boundaryEdges", "nonManifoldEdges", "misorientedEdges",
                    "nonManifoldVertices", "degenerateFaces", "duplicateFaces"}));

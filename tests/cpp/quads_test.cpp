@@ -14,8 +14,8 @@
 namespace kdm {
 namespace {
 
-// With quads no vertices are split.
-constexpr double kNever = 1e9;
+// With quads no vertices are split and no edges flipped.
+constexpr ExtractOptions kPlain{.split_error = 1e9, .unfold = false};
 
 const BuildOptions kUniform{.strategy = SplitStrategy::kUniform, .depth = 12};
 
@@ -62,7 +62,7 @@ TEST(Quads, AreTheSameSurface) {
     for (const Mesh& mesh : {shapes::torus(1, 0.4, 16, 8), shapes::plate_with_holes(2, 2),
                              shapes::random_voxels(3, 0.5, 2), shapes::random_tetrahedra(5, 4)}) {
       const Grid grid = build_grid(mesh, {.strategy = strategy, .depth = 11});
-      const ExtractedMesh plain = extract(grid, {.split_error = kNever});
+      const ExtractedMesh plain = extract(grid, kPlain);
       const ExtractedMesh quads = extract(grid, {.quads = true});
       EXPECT_EQ(plain.positions, quads.positions);
       EXPECT_EQ(plain.triangles.size(), quads.triangles.size() + 2 * quads.quads.size());
@@ -81,7 +81,7 @@ TEST(Quads, AreTheSameSurface) {
 TEST(Quads, EachIsTwoTrianglesOfThePlainMesh) {
   const Grid grid = build_grid(shapes::torus(1, 0.4, 32, 16),
                                {.strategy = SplitStrategy::kOctree, .relative_tolerance = 0.01});
-  const ExtractedMesh plain = extract(grid, {.split_error = kNever});
+  const ExtractedMesh plain = extract(grid, kPlain);
   const ExtractedMesh mixed = extract(grid, {.quads = true});
   // Triangles with the smallest corner first, to be found again.
   const auto turned = [](Triangle t) {

@@ -31,6 +31,7 @@ export function reportAsJson(report: CliReport, command: Command): string {
       droppedPillows: output.droppedPillows,
       insertedVertices: output.insertedVertices,
       splitVertices: output.splitVertices,
+      flippedEdges: output.flippedEdges,
       selfIntersections: output.selfIntersections,
     },
     check: command.check ? checkOf(output) : undefined,

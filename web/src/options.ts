@@ -63,5 +63,6 @@ export const extractOptions: Table<ExtractOptions> = {
     help: 'split vertices further than this from a plane, in model units; 0: features',
   },
   quads: { kind: 'flag', default: false, help: 'write quads where four leaves meet' },
+  unfold: { kind: 'flag', default: true, help: 'flip edges of triangles that are folded over' },
   strict: { kind: 'flag', default: true, help: 'make the index mesh 2-manifold' },
 };

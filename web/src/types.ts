@@ -102,6 +102,11 @@ export interface ExtractOptions {
    * never with `quads`.
    */
   splitError?: number;
+  /**
+   * Flip edges of triangles that are folded over their neighbours, where that lays them flat (default
+   * true). Takes away most self-intersections. Not with `quads`.
+   */
+  unfold?: boolean;
   /** Make the result 2-manifold as an index mesh (default true). Off: the raw dual surface. */
   strict?: boolean;
 }
@@ -166,6 +171,8 @@ export interface ExtractReport {
   insertedVertices: number;
   /** Vertices added for further features of a leaf. */
   splitVertices: number;
+  /** Edges of triangles that were folded over. */
+  flippedEdges: number;
 }
 
 /** What `Grid.extract` gives. */

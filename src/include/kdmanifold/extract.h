@@ -17,6 +17,9 @@ struct ExtractOptions {
   /// never. 0: where they are further off than the grid's tolerance and 0.3 times the way to the
   /// furthest of their hits, but never with `quads`.
   double split_error = 0;
+  /// Flip edges of triangles that are folded over their neighbours, where that lays them flat.
+  /// Takes away most self-intersections. Not with `quads`.
+  bool unfold = true;
   /// Make the result 2-manifold as an index mesh: insert a vertex where two parts of the surface
   /// would share an edge, drop parts without volume. Off: the raw dual surface, whose half-edges
   /// are manifold but whose vertex numbers may not show it.
@@ -27,6 +30,7 @@ struct ExtractReport {
   Index dropped_pillows = 0;    ///< parts without volume that were left out
   Index inserted_vertices = 0;  ///< vertices added to keep edges apart
   Index split_vertices = 0;     ///< vertices added for further features of a leaf
+  Index flipped_edges = 0;      ///< of triangles that were folded over
 };
 
 /// A mesh with the account of how it was made.

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// Triangles that are folded over their neighbours.
+#pragma once
+
+#include "extract/dual_mesh.h"
+
+namespace kdm {
+
+/// Flips edges of triangles that are turned away from the plane of their hit, or have no area,
+/// where the two triangles then lie better: leaves of different size beside a concave crease leave
+/// such folds, which reach beyond the surface. No edge is doubled by it, so an index mesh that is
+/// 2-manifold stays so. Returns the number of flips.
+Index unfold(const GridData& grid, DualMesh& mesh);
+
+}  // namespace kdm
