@@ -10,6 +10,7 @@
 #include "kdmanifold/build.h"
 #include "kdmanifold/error.h"
 #include "kdmanifold/extract.h"
+#include "support/dual_mesh_check.h"
 #include "support/dual_mesh_shapes.h"
 #include "support/mesh_assert.h"
 #include "support/sanitized.h"
@@ -60,25 +61,6 @@ struct Fan {
   }
 };
 
-// Links are mutual and run against each other, every vertex is one ring.
-void expect_sound(const DualMesh& mesh) {
-  std::size_t ring_sum = 0;
-  for (Index h = 0; h < mesh.vertex.size(); ++h) {
-    const Index other = mesh.opposite[h];
-    ASSERT_EQ(mesh.opposite[other], h);
-    ASSERT_EQ(mesh.vertex[h], mesh.vertex[next_in_triangle(other)]);
-  }
-  for (Index v = 0; v < mesh.first.size(); ++v) {
-    Index half_edge = mesh.first[v];
-    do {
-      ASSERT_EQ(mesh.vertex[half_edge], v);
-      ++ring_sum;
-      half_edge = next_in_triangle(mesh.opposite[half_edge]);
-    } while (half_edge != mesh.first[v]);
-  }
-  ASSERT_EQ(ring_sum, mesh.vertex.size()) << "all half-edges belong to a ring";
-}
-
 TEST(SplitVertices, EveryRingOfUpToSixPolygonsStaysASphere) {
   int split = 0;
   for (int n = 3; n <= (check::kSanitized ? 5 : 6); ++n) {
@@ -93,7 +75,7 @@ TEST(SplitVertices, EveryRingOfUpToSixPolygonsStaysASphere) {
       ASSERT_EQ(fan.mesh.triangles(), triangles + 2 * added);
       ASSERT_EQ(fan.mesh.position.size(), fan.mesh.first.size());
       ASSERT_EQ(fan.mesh.leaf.size(), fan.mesh.first.size());
-      expect_sound(fan.mesh);
+      check::expect_sound(fan.mesh);
       separate_double_edges(fan.points, fan.mesh);
       const check::MeshCheck result = check::check_mesh(shapes::index_mesh(fan.mesh));
       ASSERT_TRUE(result.two_manifold) << testing::PrintToString(ring) << result.faults();

@@ -10,6 +10,7 @@
 
 #include "kdmanifold/build.h"
 #include "kdmanifold/extract.h"
+#include "support/dual_mesh_check.h"
 #include "support/dual_mesh_shapes.h"
 #include "support/mesh_assert.h"
 #include "support/random_meshes.h"
@@ -40,34 +41,12 @@ Index surplus_edges(const DualMesh& mesh) {
   return surplus;
 }
 
-// Links are mutual, run against each other, and each vertex is one ring.
-void expect_sound(const DualMesh& mesh) {
-  ASSERT_EQ(mesh.vertex.size(), 3u * mesh.triangles());
-  ASSERT_EQ(mesh.opposite.size(), mesh.vertex.size());
-  ASSERT_EQ(mesh.position.size(), mesh.first.size());
-  ASSERT_EQ(mesh.leaf.size(), mesh.first.size());
-  std::size_t ring_sum = 0;
-  for (Index v = 0; v < mesh.first.size(); ++v) {
-    Index half_edge = mesh.first[v];
-    do {
-      ASSERT_EQ(mesh.vertex[half_edge], v);
-      ++ring_sum;
-      half_edge = next_in_triangle(mesh.opposite[half_edge]);
-    } while (half_edge != mesh.first[v]);
-  }
-  EXPECT_EQ(ring_sum, mesh.vertex.size());
-  for (Index h = 0; h < mesh.opposite.size(); ++h) {
-    ASSERT_EQ(mesh.opposite[mesh.opposite[h]], h);
-    ASSERT_EQ(mesh.vertex[mesh.opposite[h]], mesh.vertex[next_in_triangle(h)]);
-  }
-}
-
 TEST(Strict, ADoubleEdgeGetsOneVertex) {
   DualMesh mesh = shapes::beach_ball(2);
   const std::vector<Vec3> points = prepare(mesh);
   ASSERT_FALSE(check::is_two_manifold(shapes::index_mesh(mesh)));
   EXPECT_EQ(separate_double_edges(points, mesh), 1u);
-  expect_sound(mesh);
+  check::expect_sound(mesh);
   const check::MeshCheck result = check::check_mesh(shapes::index_mesh(mesh));
   EXPECT_TRUE(result.two_manifold) << result.faults();
   EXPECT_EQ(result.euler_characteristic, 2);
@@ -87,7 +66,7 @@ TEST(Strict, MultipleEdgesKeepOne) {
     DualMesh mesh = shapes::beach_ball(disks);
     const std::vector<Vec3> points = prepare(mesh);
     EXPECT_EQ(separate_double_edges(points, mesh), disks - 1);
-    expect_sound(mesh);
+    check::expect_sound(mesh);
     const check::MeshCheck result = check::check_mesh(shapes::index_mesh(mesh));
     EXPECT_TRUE(result.two_manifold) << disks << ": " << result.faults();
     EXPECT_EQ(result.euler_characteristic, 2);
@@ -116,7 +95,7 @@ TEST(Strict, BothTrianglesMayHaveTheSameThirdVertex) {
   ASSERT_TRUE(found);
   const Index inserted = separate_double_edges(points, mesh);
   EXPECT_GE(inserted, 6u) << "twelve edges, but four vertices have six pairs only";
-  expect_sound(mesh);
+  check::expect_sound(mesh);
   EXPECT_EQ(surplus_edges(mesh), 0u);
   const check::MeshCheck result = check::check_mesh(shapes::index_mesh(mesh));
   EXPECT_TRUE(result.two_manifold) << result.faults();
@@ -138,7 +117,7 @@ TEST(Strict, EveryTightTorusBecomesManifold) {
         EXPECT_GE(inserted, surplus);
         EXPECT_EQ(mesh.first.size(), n + inserted);
         EXPECT_EQ(mesh.triangles(), 2 * n + 2 * inserted);
-        expect_sound(mesh);
+        check::expect_sound(mesh);
         const check::MeshCheck result = check::check_mesh(shapes::index_mesh(mesh));
         ASSERT_TRUE(result.two_manifold) << result.faults();
         EXPECT_EQ(result.euler_characteristic, 0);

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Whether a half-edge structure is one.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include "extract/dual_mesh.h"
+
+namespace kdm::check {
+
+/// Links are mutual, run against each other, and each vertex is one ring.
+inline void expect_sound(const DualMesh& mesh) {
+  ASSERT_EQ(mesh.vertex.size(), 3u * mesh.triangles());
+  ASSERT_EQ(mesh.opposite.size(), mesh.vertex.size());
+  ASSERT_EQ(mesh.position.size(), mesh.first.size());
+  ASSERT_EQ(mesh.leaf.size(), mesh.first.size());
+  std::size_t ring_sum = 0;
+  for (Index v = 0; v < mesh.first.size(); ++v) {
+    Index half_edge = mesh.first[v];
+    do {
+      ASSERT_EQ(mesh.vertex[half_edge], v);
+      ++ring_sum;
+      half_edge = next_in_triangle(mesh.opposite[half_edge]);
+    } while (half_edge != mesh.first[v]);
+  }
+  EXPECT_EQ(ring_sum, mesh.vertex.size());
+  for (Index h = 0; h < mesh.opposite.size(); ++h) {
+    ASSERT_EQ(mesh.opposite[mesh.opposite[h]], h);
+    ASSERT_EQ(mesh.vertex[mesh.opposite[h]], mesh.vertex[next_in_triangle(h)]);
+  }
+}
+
+}  // namespace kdm::check
