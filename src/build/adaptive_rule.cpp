@@ -60,13 +60,13 @@ class AdaptiveRule : public SplitRule {
     if (analysis_.members().empty()) return std::nullopt;
     assign_pieces();
     // Crossings drop out where shells cross and where one lies within another.
-    overlap_ = overlap_ && analysis_.triangles_cross();
+    overlap_ = dropped_ && analysis_.triangles_cross();
     if (!small && !pieces_fit(cell.box)) return halve(cell);
     if (const std::optional<LatticeBox> target = unresolved_part(cell.box)) {
       return pursue(cell, *target);
     }
     if (overlap_) return give_up();
-    if (!analysis_.triangles_cross()) return std::nullopt;
+    if (dropped_ || !analysis_.triangles_cross()) return std::nullopt;
     overlap_ = true;
     return small || pieces_fit(cell.box) ? give_up() : halve(cell);
   }
@@ -129,7 +129,7 @@ class AdaptiveRule : public SplitRule {
     crossings_.all.clear();
     crossings_.round_face = {};
     hits_.clear();
-    overlap_ = false;
+    dropped_ = overlap_ = false;
     for (int axis = 0; axis < 3; ++axis) {
       const int u = next_axis(axis);
       const int v = previous_axis(axis);
@@ -147,7 +147,7 @@ class AdaptiveRule : public SplitRule {
           const Index triangle = cell.crossings[i].plane();
           const bool kept = cell.kept[i] != 0;
           crossings_.all.push_back({triangle, number, kept});
-          overlap_ = overlap_ || !kept;  // or so it seems
+          dropped_ = dropped_ || !kept;
           if (!kept) continue;
           point[axis] = real_position(cell.crossings[i].position);
           hits_.push_back({point, &surface_.planes[triangle], triangle});
@@ -163,7 +163,7 @@ class AdaptiveRule : public SplitRule {
     for (const ListEntry& entry : cell.entries) {
       for (const LatticePoint& p : surface_.triangles[entry.triangle]) {
         if (!vertex_in_box(p, cell.box)) continue;
-        if (misfit(Vec3(p[0], p[1], p[2]), kNone) > tolerance_) return true;
+        if (misfit(real(p), kNone) > tolerance_) return true;
       }
     }
     return false;
@@ -223,8 +223,7 @@ class AdaptiveRule : public SplitRule {
     for (const PlannedHit& hit : hits_) {
       if (together(hit.piece, piece)) quadric.add(*hit.plane);
     }
-    const Vec3 vertex = quadric.minimiser_in(Vec3(box.lo[0], box.lo[1], box.lo[2]),
-                                             Vec3(box.hi[0], box.hi[1], box.hi[2]));
+    const Vec3 vertex = quadric.minimiser_in(real(box.lo), real(box.hi));
     // Splits of neighbours may yet put hits on any of the piece's triangles.
     const std::span<const Index> members = analysis_.members();
     for (std::size_t m = 0; m < members.size(); ++m) {
@@ -300,6 +299,7 @@ class AdaptiveRule : public SplitRule {
   int depth_;
   SplitPlacing placing_;
   FeatureFinder features_;
+  bool dropped_ = false;  // not all of the cell's crossings are kept
   bool overlap_ = false;  // shells cross in this cell
   Index unresolved_ = 0;
   CellCrossings crossings_;

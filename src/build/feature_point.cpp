@@ -20,8 +20,6 @@ namespace {
 constexpr double kReach = 1.0 / 8;
 constexpr double kMargin = 1.0 / 16;
 
-Vec3 real(const LatticePoint& p) { return Vec3(p[0], p[1], p[2]); }
-
 }  // namespace
 
 void FeatureFinder::find_in_cell(const LatticeBox& box, std::span<const ListEntry> entries) {

@@ -8,12 +8,6 @@
 #include "geometry/quadric.h"
 
 namespace kdm {
-namespace {
-
-Vec3 real(const LatticePoint& p) { return Vec3(p[0], p[1], p[2]); }
-
-}  // namespace
-
 std::vector<Vec3> hit_points(const GridData& grid, const std::vector<LatticeBox>& boxes) {
   std::vector<Vec3> points(grid.hits.size());
   for (std::size_t c = 0; c < grid.cells.size(); ++c) {

@@ -23,6 +23,8 @@ inline constexpr std::int32_t kLatticeMargin = kLatticeSize / 256;
 
 using LatticePoint = std::array<std::int32_t, 3>;
 
+inline Vec3 real(const LatticePoint& p) { return Vec3(p[0], p[1], p[2]); }
+
 /// An axis-aligned box with lattice corners, both ends included.
 struct LatticeBox {
   LatticePoint lo{0, 0, 0};

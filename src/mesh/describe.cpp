@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Counts what keeps an index mesh from being 2-manifold, and measures it.
-#include <fmt/format.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -11,6 +9,7 @@
 
 #include "kdmanifold/error.h"
 #include "kdmanifold/mesh.h"
+#include "mesh/check_indices.h"
 
 namespace kdm {
 namespace {
@@ -74,7 +73,7 @@ class Describer {
     report_.vertices = static_cast<Index>(mesh_.positions.size());
     report_.triangles = static_cast<Index>(mesh_.triangles.size());
     report_.quads = static_cast<Index>(mesh_.quads.size());
-    check_indices();
+    check_indices(mesh_);
     find_degenerate();
     count_duplicates();
     count_edges();
@@ -94,20 +93,6 @@ class Describer {
     std::uint8_t low_corner, high_corner;
     bool upwards;  // from the low to the high vertex
   };
-
-  void check_indices() const {
-    for (std::size_t face = 0; face < faces_.size(); ++face) {
-      for (std::size_t k = 0; k < faces_.corners(face); ++k) {
-        if (faces_[face][k] < mesh_.positions.size()) continue;
-        const bool triangle = face < mesh_.triangles.size();
-        throw Error(ErrorCode::kInvalidMesh,
-                    fmt::format("{}[{}] names vertex {}, but there are {} vertices",
-                                triangle ? "triangles" : "quads",
-                                triangle ? face : face - mesh_.triangles.size(), faces_[face][k],
-                                mesh_.positions.size()));
-      }
-    }
-  }
 
   void find_degenerate() {
     for (std::size_t face = 0; face < faces_.size(); ++face) {

@@ -8,23 +8,12 @@
 #include <new>
 
 #include "kdmanifold/error.h"
+#include "mesh/check_indices.h"
 #include "mesh/formats.h"
 #include "mesh/text_scanner.h"
 
 namespace kdm {
 namespace {
-
-template <typename Face>
-void check_faces(const std::vector<Face>& faces, const char* array, std::size_t vertices) {
-  for (std::size_t i = 0; i < faces.size(); ++i) {
-    for (Index vertex : faces[i]) {
-      if (vertex < vertices) continue;
-      throw Error(ErrorCode::kInvalidMesh,
-                  fmt::format("{}[{}] names vertex {}, but there are {} vertices", array, i, vertex,
-                              vertices));
-    }
-  }
-}
 
 // Files hold 32-bit floats, and a PLY index is a signed 32-bit integer.
 void check_writable(const Mesh& mesh) {
@@ -42,8 +31,7 @@ void check_writable(const Mesh& mesh) {
                               i, "xyz"[axis], value));
     }
   }
-  check_faces(mesh.triangles, "triangles", mesh.positions.size());
-  check_faces(mesh.quads, "quads", mesh.positions.size());
+  check_indices(mesh);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "kdmanifold/error.h"
 #include "kdmanifold/mesh.h"
 #include "mesh/box_tree.h"
+#include "mesh/check_indices.h"
 
 namespace kdm {
 namespace {
@@ -40,19 +41,13 @@ std::vector<Corners> triangles_of(const Mesh& mesh) {
     triangles.push_back({{q[0], q[1], q[2]}, face});
     triangles.push_back({{q[0], q[2], q[3]}, face++});
   }
-  for (const Corners& t : triangles) {
-    for (const Index v : t.numbers) {
-      if (v >= mesh.positions.size()) {
-        throw Error(ErrorCode::kInvalidMesh, "a face names a vertex that the mesh has not got");
-      }
-    }
-  }
   return triangles;
 }
 
 }  // namespace
 
 SelfIntersections find_self_intersections(const Mesh& mesh) try {
+  check_indices(mesh);
   const std::vector<Corners> triangles = triangles_of(mesh);
   const std::vector<Vec3> positions = scaled_to_one(mesh.positions);
   const auto corners = [&](Index t) {
