@@ -148,6 +148,26 @@ double diagonal(const Mesh& mesh) {
   return (max - min).norm();
 }
 
+Distance distance_of_points(const std::vector<Vec3>& points, const Mesh& to) {
+  Distance result;
+  if (points.empty()) return result;
+  if (all_triangles(to).empty()) {
+    result.max = result.mean = result.rms = std::numeric_limits<double>::infinity();
+    return result;
+  }
+  const TriangleTree tree(to);
+  for (const Vec3& p : points) {
+    const double squared = tree.squared_distance_to(p);
+    result.max = std::max(result.max, squared);
+    result.mean += std::sqrt(squared);
+    result.rms += squared;
+  }
+  result.max = std::sqrt(result.max);
+  result.mean /= static_cast<double>(points.size());
+  result.rms = std::sqrt(result.rms / static_cast<double>(points.size()));
+  return result;
+}
+
 Distance one_sided_distance(const Mesh& from, const Mesh& to, Index samples) {
   const std::vector<Triangle> triangles = all_triangles(from);
   Distance result;

@@ -2,6 +2,8 @@
 // How far two surfaces are apart, for benchmark tables; not part of the library.
 #pragma once
 
+#include <vector>
+
 #include "kdmanifold/mesh.h"
 
 namespace kdm::bench {
@@ -15,6 +17,9 @@ struct Distance {
 
 /// From `samples` points on `from`'s faces, and from all its vertices, to `to`. Deterministic.
 Distance one_sided_distance(const Mesh& from, const Mesh& to, Index samples);
+
+/// From given points; of no points all distances are 0. Triangles may be segments or points.
+Distance distance_of_points(const std::vector<Vec3>& points, const Mesh& to);
 
 /// Triangles of a mesh whose quads have been cut in two.
 std::vector<Triangle> all_triangles(const Mesh& mesh);
