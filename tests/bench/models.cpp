@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iterator>
 
 #include "kdmanifold/error.h"
+#include "street.h"
 #include "support/shapes.h"
 
 namespace kdm::bench {
@@ -31,23 +33,55 @@ Model from_file(const fs::path& path) {
   return model;
 }
 
-Model generated(const std::string& name, const Mesh& mesh) {
-  return {name, format_mesh(mesh, MeshFormat::kPly), MeshFormat::kPly};
+struct Scene {
+  const char* name;
+  std::function<Mesh()> make;
+  bool by_default;
+};
+
+const std::vector<Scene>& scenes() {
+  using namespace shapes;
+  static const std::vector<Scene> list = {
+      {"icosphere_82k", [] { return icosphere(6); }, true},
+      {"torus_chain_100k", [] { return subdivided(torus_chain(20)); }, true},
+      {"glass_178k", [] { return subdivided(subdivided(subdivided(glass()))); }, true},
+      {"swiss_cheese_64k", [] { return swiss_cheese(200); }, true},
+      {"street_88k", [] { return street(); }, true},
+      {"street_apart_88k", [] { return street_apart(); }, true},
+      {"thin_box", [] { return thin_walled_box(); }, false},
+      {"nested_spheres", [] { return nested_spheres(); }, false},
+      {"torus_chain", [] { return torus_chain(6); }, false}};
+  return list;
 }
+
+Model generated(const Scene& scene) {
+  return {std::string(scene.name) + ".ply", format_mesh(scene.make(), MeshFormat::kPly),
+          MeshFormat::kPly};
+}
+
+Model scene_named(const std::string& name) {
+  std::string known;
+  for (const Scene& scene : scenes()) {
+    if (name == scene.name) return generated(scene);
+    known += std::string(known.empty() ? "" : ", ") + scene.name;
+  }
+  throw Error(ErrorCode::kInvalidOption, "scene '" + name + "' is none of " + known);
+}
+
+constexpr std::string_view kScenePrefix = "scene:";
 
 }  // namespace
 
 std::vector<Model> load_models(const std::vector<std::string>& paths) {
-  if (paths.empty()) {
-    return {generated("icosphere_82k.ply", shapes::icosphere(6)),
-            generated("torus_chain_100k.ply", shapes::subdivided(shapes::torus_chain(20))),
-            generated("glass_178k.ply",
-                      shapes::subdivided(shapes::subdivided(shapes::subdivided(shapes::glass())))),
-            generated("swiss_cheese_64k.ply", shapes::swiss_cheese(200)),
-            generated("street_88k.ply", shapes::street())};
-  }
   std::vector<Model> models;
+  for (const Scene& scene : scenes()) {
+    if (paths.empty() && scene.by_default) models.push_back(generated(scene));
+  }
   for (const std::string& path : paths) {
+    if (path.rfind(kScenePrefix, 0) == 0) {
+      models.push_back(scene_named(path.substr(kScenePrefix.size())));
+      continue;
+    }
     if (!fs::is_directory(path)) {
       models.push_back(from_file(path));
       continue;
@@ -60,6 +94,13 @@ std::vector<Model> load_models(const std::vector<std::string>& paths) {
     for (const fs::path& file : files) models.push_back(from_file(file));
   }
   return models;
+}
+
+Model subdivided_model(const Model& model, int times) {
+  Mesh mesh = parse_mesh(model.bytes, model.format, model.name);
+  for (int i = 0; i < times; ++i) mesh = shapes::subdivided(std::move(mesh));
+  return {fs::path(model.name).stem().string() + "_x" + std::to_string(1 << (2 * times)) + ".ply",
+          format_mesh(mesh, MeshFormat::kPly), MeshFormat::kPly};
 }
 
 }  // namespace kdm::bench

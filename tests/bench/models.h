@@ -15,8 +15,13 @@ struct Model {
   MeshFormat format = MeshFormat::kPly;
 };
 
-/// The named files; a folder stands for all files in it that the library can read, sorted by name.
-/// Nothing named: the generated scenes (sphere, rings, thin glass, cheese, street), as PLY.
+/// The named files; a folder stands for all files in it that the library can read, sorted by name,
+/// "scene:thin_box" and the like for a generated scene. Nothing named: the large generated scenes
+/// (sphere, rings, thin glass, cheese, two streets).
 std::vector<Model> load_models(const std::vector<std::string>& paths);
+
+/// Each triangle cut in four, `times` times; points move by no more than the rounding to 32-bit
+/// floats, which is what files hold.
+Model subdivided_model(const Model& model, int times);
 
 }  // namespace kdm::bench

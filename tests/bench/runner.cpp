@@ -101,8 +101,9 @@ SplitStrategy strategy_from_name(const std::string& wanted) {
   for (const auto& [name, value] : kStrategies) {
     if (wanted == name) return value;
   }
-  throw Error(ErrorCode::kInvalidOption,
-              "strategy is '" + wanted + "'; it must be adaptive, octree, median or uniform");
+  throw Error(
+      ErrorCode::kInvalidOption,
+      "strategy is '" + wanted + "'; it must be adaptive, octree, feature, median or uniform");
 }
 
 }  // namespace kdm::bench
