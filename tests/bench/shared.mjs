@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the benchmark scripts share: building the native tools, options, medians, tables.
-import { readdirSync, statSync } from 'node:fs';
+import { mkdtempSync, readdirSync, readFileSync, rmSync, statSync } from 'node:fs';
+import { tmpdir } from 'node:os';
 import { basename, extname, join, resolve } from 'node:path';
 import { parseArgs } from 'node:util';
 import { cmake } from '../../scripts/build.mjs';
@@ -36,7 +37,7 @@ export function commandLine(options) {
     allowPositionals: true,
     options: { models: { type: 'string', multiple: true }, json: { type: 'string' }, ...options },
   });
-  return { ...values, models: [...(values.models ?? []), ...positionals] };
+  return { ...values, positionals, models: [...(values.models ?? []), ...positionals] };
 }
 
 export function median(values) {
@@ -44,16 +45,61 @@ export function median(values) {
   return sorted[Math.floor(sorted.length / 2)];
 }
 
-/** "median:19" -> { strategy: 'median', depth: 19 } */
+/** "median:19" or "octree:21:0" -> { strategy, depth, relativeTolerance } as the library has them */
 export function parseSetting(text) {
-  const [strategy, depth] = text.split(':');
-  return { strategy, depth: Number(depth) };
+  const [strategy, depth, relativeTolerance] = text.split(':');
+  const setting = { strategy, depth: Number(depth) };
+  return relativeTolerance === undefined
+    ? setting
+    : { ...setting, relativeTolerance: Number(relativeTolerance) };
 }
 
+/** The other way round; without a tolerance the default counts. */
+export function settingText({ strategy, depth = 60, relativeTolerance }) {
+  return [strategy, depth, relativeTolerance].filter((part) => part !== undefined).join(':');
+}
+
+/** Runs `work` with a folder that is gone afterwards. */
+export async function withFolder(work) {
+  const folder = mkdtempSync(join(tmpdir(), 'kdm-'));
+  try {
+    return await work(folder);
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+}
+
+/**
+ * One row of kdm_bench, run in a process of its own: counts, medians of seconds by stage, peak
+ * memory. The model is a file or a scene; `keep` names the file for the result.
+ */
+export function native(tools, folder, model, setting, { repeat = 1, subdivide = 0, keep } = {}) {
+  const report = join(folder, 'native.json');
+  output(join(tools, 'kdm_bench'), [
+    ...['--models', model, '--settings', settingText(setting), '--json', report],
+    ...['--repeat', String(repeat), '--subdivide', String(subdivide)],
+    ...(keep === undefined ? [] : ['--keep', keep]),
+  ]);
+  const [row] = JSON.parse(readFileSync(report, 'utf8'));
+  if (row.error !== undefined) throw new Error(`${model}: ${row.error}`);
+  return row;
+}
+
+/** Seconds from mesh to mesh, reading left out. */
+export const meshToMesh = ({ total, read = 0 }) => total - read;
+
 /** Judges a mesh file with kdm_measure: manifoldness, and distances to the reference. */
-export function measure(tools, file, reference) {
-  const args = reference === undefined ? [file] : [file, '--reference', reference];
-  return JSON.parse(output(join(tools, 'kdm_measure'), args));
+export function measure(tools, file, reference, args = []) {
+  const compared = reference === undefined ? [] : ['--reference', reference];
+  return JSON.parse(output(join(tools, 'kdm_measure'), [file, ...compared, ...args]));
+}
+
+/** Both ways: the largest distance, and the larger of the two root mean squares. */
+export function twoSided({ toReference, fromReference }) {
+  return {
+    max: Math.max(toReference.max, fromReference.max),
+    rms: Math.max(toReference.rms, fromReference.rms),
+  };
 }
 
 /** Prints rows of equal keys as an aligned table. */
