@@ -40,13 +40,14 @@ export async function runWasm(bytes, format, setting) {
   }
 }
 
-/** meshoptimizer's voxel remesher: resolution cells on the longest axis, a triangle soup out. */
-export async function meshoptimizer(mesh, resolution) {
+/** meshoptimizer's voxel remesher: resolution cells on the longest axis, a triangle soup out. The flag
+ * 'Solve' makes it place vertices at features. */
+export async function meshoptimizer(mesh, resolution, flags = []) {
   const { MeshoptSimplifier } = await import('meshoptimizer');
   await MeshoptSimplifier.ready;
   const positions = Float32Array.from(mesh.positions);
   const start = now();
-  const soup = MeshoptSimplifier.remesh(mesh.indices, positions, 3, resolution);
+  const soup = MeshoptSimplifier.remesh(mesh.indices, positions, 3, resolution, flags);
   const seconds = now() - start;
   return { mesh: weld(soup), seconds };
 }
