@@ -1,21 +1,28 @@
 // SPDX-License-Identifier: MIT
 // `npm run bench -- [--models DIR] [--settings median:19]... [--repeat 5] [--no-peers] [--json FILE]`
-// Seconds by stage, natively and in WebAssembly, and the peers on the same models; every result
-// is judged by the same native program. Distances are per mille of the diagonal, both ways.
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+// Seconds (of processor time) by stage, natively and in WebAssembly, and the peers on the same models in the same run;
+// every result is judged by the same native program. Beside each result of meshoptimizer stand the
+// runs of `adaptive` that are at least as close to the input, by the largest distance and by the
+// root mean square. `npm run bench -- --compare COMMIT` times against another commit: compare.mjs.
+import { readFileSync, writeFileSync } from 'node:fs';
 import { extname, join } from 'node:path';
 import { builders } from '../../scripts/build.mjs';
-import { output, run } from '../../scripts/run.mjs';
+import { run } from '../../scripts/run.mjs';
+import { ToleranceLadder } from './equal_error.mjs';
 import {
   buildTools,
   commandLine,
   measure,
   median,
+  meshToMesh,
   modelFiles,
   nameOf,
+  native,
   parseSetting,
   printTable,
+  settingText,
+  twoSided,
+  withFolder,
 } from './shared.mjs';
 
 const options = commandLine({
@@ -24,7 +31,12 @@ const options = commandLine({
   'no-peers': { type: 'boolean', default: false },
 });
 const repeat = Number(options.repeat);
-const settings = options.settings ?? ['adaptive:60', 'median:19', 'octree:21', 'uniform:21'];
+// An octree at a tolerance of 0 has 128 (256) cells an axis wherever the surface is not flat.
+const byDefault = 'adaptive:60:0.002 adaptive:60:0.0005 median:19 octree:21:0 octree:24:0'.split(
+  ' ',
+);
+const settings = (options.settings ?? byDefault).map(parseSetting);
+const resolutions = [64, 128, 256];
 
 const tools = buildTools();
 builders.wasm();
@@ -33,68 +45,104 @@ const { runWasm, meshoptimizer, manifold3d } = await import('./engines.mjs');
 const { load } = await import('../../dist/index.js');
 const kdm = await load();
 
-const folder = mkdtempSync(join(tmpdir(), 'kdm-bench-'));
-try {
+await withFolder(async (folder) => {
   if (options.models.length === 0) run(join(tools, 'kdm_bench'), ['--export', folder]);
   const rows = [];
   for (const file of modelFiles(options.models, [folder])) {
-    rows.push(...(await benchModel(file)));
+    const own = await benchModel(file, folder);
+    printTable(own.map(shown));
+    console.log('');
+    rows.push(...own);
   }
-  printTable(rows);
   if (options.json !== undefined) writeFileSync(options.json, JSON.stringify(rows, null, 1) + '\n');
-} finally {
-  rmSync(folder, { recursive: true });
-}
+});
 
-async function benchModel(file) {
+async function benchModel(file, folder) {
   const bytes = readFileSync(file);
   const format = extname(file).slice(1).toLowerCase();
-  const rows = [];
+  const model = nameOf(file);
   let input;
   try {
-    input = kdm.parseMesh(bytes, format, nameOf(file));
+    input = kdm.parseMesh(bytes, format, model);
     kdm.buildGrid(input, { strategy: 'uniform', depth: 1 }).delete();
   } catch (error) {
-    return [row(nameOf(file), error.code ?? 'error', {}, {})];
+    return [{ model, engine: error.code ?? 'error' }];
   }
   const judge = (mesh) => {
-    const path = join(folder, 'result.ply');
+    const path = join(folder, 'judged.ply');
     writeFileSync(path, kdm.formatMesh(mesh, 'ply'));
-    return measure(tools, path, file);
+    const judgement = measure(tools, path, file);
+    return { ...judgement, ...twoSided(judgement) };
   };
-  for (const setting of settings.map(parseSetting)) {
-    const label = `${setting.strategy} ${setting.depth}`;
+  // Once without counting: engines compile their code while it runs.
+  const timed = async (work) => {
     const runs = [];
-    for (let i = 0; i < repeat; ++i) runs.push(await runWasm(bytes, format, setting));
+    await work();
+    for (let i = 0; i < repeat; ++i) runs.push(await work());
+    return runs;
+  };
+
+  // Ours: two rows, of the same result.
+  const own = async (setting) => {
+    const runs = await timed(() => runWasm(bytes, format, setting));
     const seconds = medians(runs.map((one) => one.seconds));
-    const judgement = judge(runs[0].mesh);
-    rows.push(row(nameOf(file), `native ${label}`, native(file, setting), judgement));
-    rows.push(row(nameOf(file), `wasm ${label}`, seconds, judgement));
-  }
+    const [{ mesh, stats }] = runs;
+    const { seconds: nativeSeconds } = native(tools, folder, file, setting, { repeat });
+    const common = { model, judgement: judge(mesh), stats };
+    const label = settingText(setting);
+    return [
+      { ...common, engine: `native ${label}`, seconds: nativeSeconds },
+      { ...common, engine: `wasm ${label}`, seconds },
+    ];
+  };
+  const rows = [];
+  for (const setting of settings) rows.push(...(await own(setting)));
   if (options['no-peers']) return rows;
-  for (const resolution of [64, 128, 256]) {
-    const runs = [];
-    for (let i = 0; i < repeat; ++i) runs.push(await meshoptimizer(input, resolution));
-    const total = median(runs.map((one) => one.seconds));
-    rows.push(row(nameOf(file), `meshoptimizer ${resolution}`, { total }, judge(runs[0].mesh)));
+
+  const ladder = new ToleranceLadder((relativeTolerance) => {
+    const grid = kdm.buildGrid(input, { relativeTolerance });
+    try {
+      return judge(grid.extract());
+    } finally {
+      grid.delete();
+    }
+  });
+  const matched = new Map();
+  for (const resolution of resolutions) {
+    for (const flags of [[], ['Solve']]) {
+      const runs = await timed(() => meshoptimizer(input, resolution, flags));
+      const judgement = judge(runs[0].mesh);
+      const seconds = { total: median(runs.map((one) => one.seconds)) };
+      const engine = ['meshoptimizer', resolution, ...flags].join(' ');
+      rows.push({ model, engine, seconds, judgement });
+      const wanted = { max: undefined, rms: undefined };
+      for (const kind of Object.keys(wanted)) wanted[kind] = ladder.find(kind, judgement[kind]);
+      for (const relativeTolerance of new Set(Object.values(wanted))) {
+        const asClose = Object.keys(wanted).filter((kind) => wanted[kind] === relativeTolerance);
+        const beside = { asClose: asClose.join(', '), peerSeconds: seconds.total };
+        if (relativeTolerance === undefined) {
+          rows.push({ model, engine: 'adaptive: never as close', ...beside });
+          continue;
+        }
+        if (!matched.has(relativeTolerance)) {
+          matched.set(relativeTolerance, await own({ strategy: 'adaptive', relativeTolerance }));
+        }
+        rows.push(...matched.get(relativeTolerance).map((one) => ({ ...one, ...beside })));
+      }
+    }
   }
   const peer = await manifold3d(input);
   rows.push(
     peer.refused === undefined
-      ? row(nameOf(file), 'manifold-3d', { total: peer.seconds }, judge(peer.mesh))
-      : row(nameOf(file), `manifold-3d: ${peer.refused}`, {}, {}),
+      ? {
+          model,
+          engine: 'manifold-3d',
+          seconds: { total: peer.seconds },
+          judgement: judge(peer.mesh),
+        }
+      : { model, engine: `manifold-3d: ${peer.refused}` },
   );
   return rows;
-}
-
-/** Stage medians of the native program, in its own process. */
-function native(file, { strategy, depth }) {
-  const report = join(folder, 'native.json');
-  output(join(tools, 'kdm_bench'), [
-    ...['--models', file, '--settings', `${strategy}:${depth}`],
-    ...['--repeat', String(repeat), '--json', report],
-  ]);
-  return JSON.parse(readFileSync(report, 'utf8'))[0].seconds;
 }
 
 function medians(runs) {
@@ -104,24 +152,32 @@ function medians(runs) {
   );
 }
 
-// build: prepare and build; topology: links, loops and faces.
-function row(model, engine, seconds, judgement) {
-  const { read = 0, prepare = 0, build = 0, vertices = 0, total } = seconds;
-  const staged = 'build' in seconds;
+// build: prepare and build; topology: links, loops and faces. "mesh to mesh" leaves reading out,
+// which peers do not do. max, rms: two-sided distances, per mille of the diagonal. "of peer": our
+// time as a share of the peer's above, for a result as close by the measure named.
+function shown({ model, engine, seconds, judgement, asClose, peerSeconds }) {
+  const { read, prepare = 0, build = 0, vertices, total, ...topology } = seconds ?? {};
+  const staged = seconds !== undefined && 'build' in seconds;
   const show = (value, digits = 3) => (value === undefined ? '' : value.toFixed(digits));
-  const mille = (distance) => show(distance && distance.max * 1000, 2);
+  const mille = (distance) => show(distance && distance * 1000, 3);
   return {
     model,
     engine,
+    'as close by': asClose ?? '',
+    read: staged ? show(read) : '',
     build: staged ? show(prepare + build) : '',
-    topology: staged ? show(total - read - prepare - build - vertices) : '',
+    topology: staged ? show(Object.values(topology).reduce((sum, value) => sum + value, 0)) : '',
     vertices: staged ? show(vertices) : '',
-    total: show(total),
-    triangles: judgement.triangles ?? '',
-    manifold: judgement.twoManifold === undefined ? '' : judgement.twoManifold ? 'yes' : 'NO',
-    parts: judgement.components ?? '',
-    euler: judgement.eulerCharacteristic ?? '',
-    out: mille(judgement.toReference),
-    missed: mille(judgement.fromReference),
+    'mesh to mesh': total === undefined ? '' : show(meshToMesh(seconds)),
+    'of peer':
+      total === undefined || peerSeconds === undefined
+        ? ''
+        : show(meshToMesh(seconds) / peerSeconds, 2),
+    triangles: judgement?.triangles ?? '',
+    manifold: judgement === undefined ? '' : judgement.twoManifold ? 'yes' : 'NO',
+    parts: judgement?.components ?? '',
+    euler: judgement?.eulerCharacteristic ?? '',
+    max: mille(judgement?.max),
+    rms: mille(judgement?.rms),
   };
 }
