@@ -60,6 +60,7 @@ json to_json(const Model& model, const Setting& setting, const Run& run) {
             {"vertices", run.output.positions.size()},
             {"droppedPillows", run.output.report.dropped_pillows},
             {"insertedVertices", run.output.report.inserted_vertices}}},
+          {"clock", "processor"},
           {"seconds", run.seconds},
           {"peakBytes", run.peak_bytes}};
 }

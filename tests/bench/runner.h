@@ -11,7 +11,7 @@
 
 namespace kdm::bench {
 
-/// Seconds by stage: "read", the phases that the library's progress callback names ("prepare",
+/// Seconds of processor time by stage: "read", the phases that the library's progress callback names ("prepare",
 /// "build", "link", "loops", "vertices", "strict", ...), and "total".
 using StageSeconds = std::map<std::string, double>;
 
