@@ -9,7 +9,8 @@ import { measure, meshToMesh, nameOf, native, printTable, twoSided } from '../sh
 
 const models = ['fandisk.obj', 'casting.off', 'dragon_48k.ply'];
 const scene = 'street_apart_88k';
-const strategies = ['adaptive', 'feature', 'octree'];
+const kdTrees = ['adaptive', 'feature'];
+const strategies = [...kdTrees, 'octree'];
 const ladder = [0.016, 0.008, 0.004, 0.002, 0.001, 0.0005, 0.00025];
 const depths = [15, 18, 21];
 const depthTolerance = 0.0005;
@@ -21,7 +22,7 @@ export default async function comparison({ tools, folder, find }) {
   const runOne = (file, setting) => {
     const result = join(folder, 'result.ply');
     const run = native(tools, folder, file, setting, { keep: result });
-    const { max, rms } = twoSided(measure(tools, result, file));
+    const { max, rms } = twoSided(measure(tools, result, file, ['--no-check']));
     return {
       model: nameOf(file),
       ...setting,
@@ -34,46 +35,50 @@ export default async function comparison({ tools, folder, find }) {
     };
   };
   for (const file of [...find(models), join(folder, `${scene}.ply`)]) {
-    for (const strategy of strategies) {
-      for (const relativeTolerance of ladder) {
-        rows.runs.push(runOne(file, { strategy, relativeTolerance }));
-      }
-      for (const depth of depths) {
-        const setting = { strategy, depth, relativeTolerance: depthTolerance };
-        rows.equalDepth.push(runOne(file, setting));
-      }
-    }
-    const own = rows.runs.filter(({ model }) => model === nameOf(file));
-    for (const measureName of ['hausdorff', 'rms']) {
-      rows.equalError.push(...atEqualError(nameOf(file), own, measureName));
-    }
+    const runs = strategies.flatMap((strategy) =>
+      ladder.map((relativeTolerance) => runOne(file, { strategy, relativeTolerance })),
+    );
+    const equalError = ['hausdorff', 'rms'].flatMap((kind) =>
+      atEqualError(nameOf(file), runs, kind),
+    );
+    const equalDepth = depths.flatMap((depth) =>
+      strategies.map((strategy) =>
+        runOne(file, { strategy, depth, relativeTolerance: depthTolerance }),
+      ),
+    );
+    console.log(`\n${nameOf(file)} at equal error; "x ...": how many times the octree takes`);
+    printTable(equalError);
+    console.log(`\n${nameOf(file)} at equal depth, tolerance ${depthTolerance}`);
+    printTable(equalDepth.map(shown));
+    rows.runs.push(...runs);
+    rows.equalError.push(...equalError);
+    rows.equalDepth.push(...equalDepth);
   }
-  console.log('at equal error (how many times the octree takes of each):');
-  printTable(rows.equalError);
-  console.log(`\nat equal depth (tolerance ${depthTolerance}):`);
-  printTable(rows.equalDepth.map(shown));
   return { rows, failures: 0 };
 }
 
 // Three errors that all strategies reach: a quarter, a half, three quarters of the common range.
-function atEqualError(model, runs, measureName) {
-  const curves = Object.fromEntries(
-    strategies.map((name) => [name, runs.filter(({ strategy }) => strategy === name)]),
-  );
-  const errors = (curve) => curve.map((run) => run[measureName]);
-  const least = Math.max(...strategies.map((name) => Math.min(...errors(curves[name]))));
-  const most = Math.min(...strategies.map((name) => Math.max(...errors(curves[name]))));
+function atEqualError(model, runs, kind) {
+  const curves = strategies.map((name) => runs.filter(({ strategy }) => strategy === name));
+  const errors = curves.map((curve) => curve.map((run) => run[kind]));
+  const least = Math.max(...errors.map((one) => Math.min(...one)));
+  const most = Math.min(...errors.map((one) => Math.max(...one)));
   if (!(least < most)) return [];
-  return [0.75, 0.5, 0.25].map((share) => {
+  return [0.75, 0.5, 0.25].flatMap((share) => {
     const error = least * (most / least) ** share;
-    const row = { model, error: `${measureName} ${error.toFixed(6)}` };
-    const octree = sizesAt(curves.octree, measureName, error);
-    for (const name of ['adaptive', 'feature']) {
-      const own = sizesAt(curves[name], measureName, error);
-      row[`${name}'s triangles`] = Math.round(own.triangles);
-      for (const size of sizes) row[`${name} ${size}`] = (octree[size] / own[size]).toFixed(2);
-    }
-    return row;
+    const at = Object.fromEntries(
+      strategies.map((name, i) => [name, sizesAt(curves[i], kind, error)]),
+    );
+    return kdTrees.map((rule) => ({
+      model,
+      'at equal': `${kind} ${error.toFixed(6)}`,
+      rule,
+      cells: Math.round(at[rule].cells),
+      triangles: Math.round(at[rule].triangles),
+      ...Object.fromEntries(
+        sizes.map((size) => [`x ${size}`, (at.octree[size] / at[rule][size]).toFixed(2)]),
+      ),
+    }));
   });
 }
 
@@ -81,15 +86,14 @@ function atEqualError(model, runs, measureName) {
  * The sizes at which a curve gets down to an error. The error need not fall with every step, so the
  * first run that reaches it counts, interpolated from the best one before.
  */
-function sizesAt(curve, measureName, error) {
-  const reached = curve.findIndex((run) => run[measureName] <= error);
+function sizesAt(curve, kind, error) {
+  const reached = curve.findIndex((run) => run[kind] <= error);
   const run = curve[reached];
   if (reached === 0) return run;
   const before = curve
     .slice(0, reached)
-    .reduce((best, one) => (one[measureName] <= best[measureName] ? one : best));
-  const share =
-    Math.log(before[measureName] / error) / Math.log(before[measureName] / run[measureName]);
+    .reduce((best, one) => (one[kind] <= best[kind] ? one : best));
+  const share = Math.log(before[kind] / error) / Math.log(before[kind] / run[kind]);
   return Object.fromEntries(
     sizes.map((size) => [size, before[size] * (run[size] / before[size]) ** share]),
   );
