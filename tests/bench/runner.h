@@ -11,8 +11,8 @@
 
 namespace kdm::bench {
 
-/// Seconds of processor time by stage: "read", the phases that the library's progress callback names ("prepare",
-/// "build", "link", "loops", "vertices", "strict", ...), and "total".
+/// Seconds of processor time by stage: "read", the phases that the library's progress callback
+/// names ("prepare", "build", "link", "loops", "vertices", "strict", ...), and "total".
 using StageSeconds = std::map<std::string, double>;
 
 struct Run {
