@@ -2,8 +2,8 @@
 // Exact signs: filter, then expansions.
 #include "geometry/exact_sign.h"
 
+#include <array>
 #include <cmath>
-#include <vector>
 
 namespace kdm {
 namespace {
@@ -13,9 +13,6 @@ constexpr double kVolumeBound = (7 + 56 * kEpsilon) * kEpsilon;
 constexpr double kAreaBound = (3 + 16 * kEpsilon) * kEpsilon;
 
 int sign_of(double value) { return value > 0 ? 1 : (value < 0 ? -1 : 0); }
-
-// A sum of doubles that do not overlap, of growing magnitude: its sign is that of the last one.
-using Expansion = std::vector<double>;
 
 // a + b = sum + error, exactly.
 void two_sum(double a, double b, double& sum, double& error) {
@@ -37,63 +34,70 @@ void two_product(double a, double b, double& product, double& error) {
   error = a_low * b_low - (((product - a_high * b_high) - a_low * b_high) - a_high * b_low);
 }
 
-void add(Expansion& to, double value) {
-  Expansion result;
-  double carry = value;
-  for (const double term : to) {
-    double error = 0;
-    two_sum(carry, term, carry, error);
-    if (error != 0) result.push_back(error);
-  }
-  if (carry != 0) result.push_back(carry);
-  to = std::move(result);
-}
+// A sum of doubles that do not overlap, of growing magnitude: its sign is that of the last one.
+template <int kCapacity>
+struct Expansion {
+  std::array<double, kCapacity> terms;
+  int size = 0;
 
-Expansion difference(double a, double b) {
+  void add(double value) {
+    double carry = value;
+    int kept = 0;
+    for (int i = 0; i < size; ++i) {
+      double error = 0;
+      two_sum(carry, terms[i], carry, error);
+      if (error != 0) terms[kept++] = error;
+    }
+    if (carry != 0) terms[kept++] = carry;
+    size = kept;
+  }
+
+  // A product of two terms takes two.
+  template <int kFirst, int kSecond>
+  void add_product(const Expansion<kFirst>& a, const Expansion<kSecond>& b, double sign = 1) {
+    static_assert(2 * kFirst * kSecond <= kCapacity);
+    for (int i = 0; i < a.size; ++i) {
+      for (int j = 0; j < b.size; ++j) {
+        double high = 0;
+        double low = 0;
+        two_product(a.terms[i], b.terms[j], high, low);
+        add(sign * low);
+        add(sign * high);
+      }
+    }
+  }
+
+  int sign() const { return size == 0 ? 0 : sign_of(terms[size - 1]); }
+};
+
+using Difference = Expansion<2>;
+
+Difference difference(double a, double b) {
+  Difference result;
   double sum = 0;
   double error = 0;
   two_sum(a, -b, sum, error);
-  Expansion result;
-  if (error != 0) result.push_back(error);
-  if (sum != 0) result.push_back(sum);
+  result.add(error);
+  result.add(sum);
   return result;
 }
-
-Expansion product(const Expansion& a, const Expansion& b) {
-  Expansion result;
-  for (const double x : a) {
-    for (const double y : b) {
-      double high = 0;
-      double low = 0;
-      two_product(x, y, high, low);
-      add(result, low);
-      add(result, high);
-    }
-  }
-  return result;
-}
-
-void add(Expansion& to, const Expansion& terms, double sign = 1) {
-  for (const double term : terms) add(to, sign * term);
-}
-
-int sign_of(const Expansion& value) { return value.empty() ? 0 : sign_of(value.back()); }
 
 int exact_volume_sign(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   // Rows a - d, b - d, c - d; the determinant's sign is turned as in volume_sign.
-  Expansion rows[3][3];
+  std::array<std::array<Difference, 3>, 3> rows;
   for (int k = 0; k < 3; ++k) {
     rows[0][k] = difference(a[k], d[k]);
     rows[1][k] = difference(b[k], d[k]);
     rows[2][k] = difference(c[k], d[k]);
   }
-  Expansion determinant;
+  Expansion<192> determinant;
   for (int k = 0; k < 3; ++k) {
-    Expansion minor = product(rows[1][(k + 1) % 3], rows[2][(k + 2) % 3]);
-    add(minor, product(rows[1][(k + 2) % 3], rows[2][(k + 1) % 3]), -1);
-    add(determinant, product(rows[0][k], minor));
+    Expansion<16> minor;
+    minor.add_product(rows[1][(k + 1) % 3], rows[2][(k + 2) % 3]);
+    minor.add_product(rows[1][(k + 2) % 3], rows[2][(k + 1) % 3], -1);
+    determinant.add_product(rows[0][k], minor);
   }
-  return -sign_of(determinant);
+  return -determinant.sign();
 }
 
 }  // namespace
@@ -112,6 +116,8 @@ int volume_sign(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   }
   // One rounding more than in the paper's bound for the sum in this order; twice it is plenty.
   if (std::abs(determinant) > 2 * kVolumeBound * permanent) return -sign_of(determinant);
+  // All in one plane of the axes, say: no product is other than 0.
+  if (permanent == 0) return 0;
   return exact_volume_sign(a, b, c, d);
 }
 
@@ -122,9 +128,11 @@ int area_sign(const Vec3& a, const Vec3& b, const Vec3& c, int axis) {
   const double right = (a[v] - c[v]) * (b[u] - c[u]);
   const double area = left - right;
   if (std::abs(area) > 2 * kAreaBound * (std::abs(left) + std::abs(right))) return sign_of(area);
-  Expansion exact = product(difference(a[u], c[u]), difference(b[v], c[v]));
-  add(exact, product(difference(a[v], c[v]), difference(b[u], c[u])), -1);
-  return sign_of(exact);
+  if (left == 0 && right == 0) return 0;
+  Expansion<16> exact;
+  exact.add_product(difference(a[u], c[u]), difference(b[v], c[v]));
+  exact.add_product(difference(a[v], c[v]), difference(b[u], c[u]), -1);
+  return exact.sign();
 }
 
 }  // namespace kdm

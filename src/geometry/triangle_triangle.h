@@ -4,7 +4,8 @@
 //
 // Two triangles meet iff an edge of one meets the other. With one shared vertex, only the edges
 // opposite to it have to be asked; with a shared edge, only whether one is folded onto the other.
-// A kernel supplies `Point`, `volume_sign(a, b, c, d)` and `area_sign(a, b, c, axis)`. On the
+// A kernel supplies `Point`, `volume_sign(a, b, c, d)`, `area_sign(a, b, c, axis)`, and quick tests
+// of neighbours that say yes only where it is sure. On the
 // lattice both triangles move alike under the perturbation of predicates.h, so it plays no part.
 #pragma once
 
@@ -26,6 +27,12 @@ struct LatticeKernel {
     const std::int64_t area = area_vector({a, b, c})[axis];
     return area > 0 ? 1 : (area < 0 ? -1 : 0);
   }
+  static bool surely_unfolded(const Point&, const Point&, const Point&, const Point&) {
+    return false;
+  }
+  static bool surely_apart(const Point&, const Point&, const Point&, const Point&, const Point&) {
+    return false;
+  }
 };
 
 struct RealKernel {
@@ -35,6 +42,42 @@ struct RealKernel {
   }
   static int area_sign(const Point& a, const Point& b, const Point& c, int axis) {
     return kdm::area_sign(a, b, c, axis);
+  }
+
+  // Triangles (p, q, a) and (p, q, b): do they lead away from their edge to different sides?
+  static bool surely_unfolded(const Point& p, const Point& q, const Point& a, const Point& b) {
+    const Vec3 edge = q - p;
+    const Vec3 u = a - p;
+    const Vec3 v = b - p;
+    const double length = edge.squaredNorm();
+    const double across = u.dot(v) * length - u.dot(edge) * v.dot(edge);
+    return across < -kSure * length * (u.squaredNorm() + v.squaredNorm());
+  }
+
+  // Triangles (p, a, b) and (p, c, d): are they on two sides of a plane through p?
+  static bool surely_apart(const Point& p, const Point& a, const Point& b, const Point& c,
+                           const Point& d) {
+    const std::array<Vec3, 2> first = {a - p, b - p};
+    const std::array<Vec3, 2> second = {c - p, d - p};
+    const Vec3 normal = direction(first) - direction(second);
+    const double size = normal.norm();
+    for (const Vec3& u : first) {
+      if (!(normal.dot(u) > kSure * size * u.norm())) return false;
+    }
+    for (const Vec3& u : second) {
+      if (!(normal.dot(u) < -kSure * size * u.norm())) return false;
+    }
+    return true;
+  }
+
+ private:
+  // Rounding of a few products and differences is far below this part of the lengths involved.
+  static constexpr double kSure = 1e-9;
+
+  // Of the middle between two vectors' directions.
+  static Vec3 direction(const std::array<Vec3, 2>& vectors) {
+    const Vec3 sum = vectors[0] / vectors[0].norm() + vectors[1] / vectors[1].norm();
+    return sum / sum.norm();
   }
 };
 
@@ -61,6 +104,14 @@ class TriangleCrossing {
       }
     }
     if (shared == 3) return has_area(a) && has_area(b);
+    if (shared == 2 && Kernel::surely_unfolded(a[in_a[0]], a[in_a[1]], a[3 - in_a[0] - in_a[1]],
+                                               b[3 - in_b[0] - in_b[1]])) {
+      return false;
+    }
+    if (shared == 1 && Kernel::surely_apart(a[in_a[0]], a[(in_a[0] + 1) % 3], a[(in_a[0] + 2) % 3],
+                                            b[(in_b[0] + 1) % 3], b[(in_b[0] + 2) % 3])) {
+      return false;
+    }
     if (apart(a, b, shared, in_b) || apart(b, a, shared, in_a)) return false;
     if (!has_area(a) || !has_area(b)) return false;
     if (shared == 2) return folded(a, b, in_a, in_b);
