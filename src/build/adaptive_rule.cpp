@@ -19,6 +19,7 @@
 #include "build/cell_analysis.h"
 #include "build/feature_point.h"
 #include "build/split_rules.h"
+#include "geometry/distance.h"
 #include "geometry/quadric.h"
 #include "geometry/triangle_box.h"
 
@@ -52,6 +53,8 @@ class AdaptiveRule : public SplitRule {
         features_(surface) {}
 
   std::optional<Split> choose(const CellView& cell) override {
+    // An octree's cell is cut in eight or not at all.
+    if (placing_ == SplitPlacing::kInTurn && cell.depth % 3 != 0) return halve(cell);
     collect_crossings(cell);
     // Whatever lies in a cell smaller than the tolerance is met.
     const bool small = diagonal(cell.box) <= tolerance_;
@@ -223,7 +226,15 @@ class AdaptiveRule : public SplitRule {
     for (const PlannedHit& hit : hits_) {
       if (together(hit.piece, piece)) quadric.add(*hit.plane);
     }
-    const Vec3 vertex = quadric.minimiser_in(real(box.lo), real(box.hi));
+    const auto residual = [&](const Vec3& x) {
+      double largest = 0;
+      for (const PlannedHit& hit : hits_) {
+        if (!together(hit.piece, piece)) continue;
+        largest = std::max(largest, std::abs(hit.plane->normal.dot(x) - hit.plane->offset));
+      }
+      return largest;
+    };
+    const Vec3 vertex = minimiser_within(quadric, real(box.lo), real(box.hi), tolerance_, residual);
     // Splits of neighbours may yet put hits on any of the piece's triangles.
     const std::span<const Index> members = analysis_.members();
     for (std::size_t m = 0; m < members.size(); ++m) {
@@ -234,19 +245,15 @@ class AdaptiveRule : public SplitRule {
     return near_piece(vertex, piece);
   }
 
-  // Within the tolerance of the plane and of the bounds of one of the piece's triangles.
   bool near_piece(const Vec3& vertex, Index piece) const {
     const std::span<const Index> members = analysis_.members();
     for (std::size_t m = 0; m < members.size(); ++m) {
       if (!shows_in(m, piece)) continue;
-      const Plane& plane = surface_.planes[members[m]];
-      if (std::abs(plane.normal.dot(vertex) - plane.offset) > tolerance_) continue;
-      const LatticeBox& bounds = analysis_.bounds_of(m);
-      double outside = 0;
-      for (int i = 0; i < 3; ++i) {
-        outside = std::max({outside, bounds.lo[i] - vertex[i], vertex[i] - bounds.hi[i]});
+      const LatticeTriangle& triangle = surface_.triangles[members[m]];
+      if (squared_distance(vertex, real(triangle[0]), real(triangle[1]), real(triangle[2])) <=
+          tolerance_ * tolerance_) {
+        return true;
       }
-      if (outside <= tolerance_) return true;
     }
     return false;
   }

@@ -30,13 +30,28 @@ std::vector<Vec3> hit_points(const GridData& grid, const std::vector<LatticeBox>
   return points;
 }
 
+namespace {
+
+// The largest distance to the planes of the hits.
+double residual(const GridData& grid, std::span<const Index> hits, const Vec3& vertex) {
+  double largest = 0;
+  for (const Index h : hits) {
+    const Plane& plane = grid.planes[grid.hits[h].plane()];
+    largest = std::max(largest, std::abs(plane.normal.dot(vertex) - plane.offset));
+  }
+  return largest;
+}
+
+}  // namespace
+
 Vec3 vertex_position(const GridData& grid, const std::vector<Vec3>& points,
                      std::span<const Index> hits, const LatticeBox& box) {
   Vec3 sum = Vec3::Zero();
   for (const Index h : hits) sum += points[h];
   PrimalQuadric quadric(sum / static_cast<double>(hits.size()));
   for (const Index h : hits) quadric.add(grid.planes[grid.hits[h].plane()]);
-  return quadric.minimiser_in(real(box.lo), real(box.hi));
+  return minimiser_within(quadric, real(box.lo), real(box.hi), grid.tolerance,
+                          [&](const Vec3& x) { return residual(grid, hits, x); });
 }
 
 double error_limit(const SplitError& error, const std::vector<Vec3>& points,

@@ -18,8 +18,10 @@ namespace kdm {
 inline constexpr int kLatticeBits = 20;
 /// The root cell is the cube [0, kLatticeSize]^3.
 inline constexpr std::int32_t kLatticeSize = std::int32_t{1} << kLatticeBits;
-/// Input stays this far from the root cell's sides, so that the root's edges are outside.
-inline constexpr std::int32_t kLatticeMargin = kLatticeSize / 256;
+/// Input stays this far from the root cell's sides, so that the root's edges are outside. Odd, so
+/// that no halving plane touches the model's extremes: a tip in a plane would reach through it
+/// infinitely little, which no split resolves.
+inline constexpr std::int32_t kLatticeMargin = kLatticeSize / 256 + 1;
 
 using LatticePoint = std::array<std::int32_t, 3>;
 
@@ -66,7 +68,7 @@ inline Lattice lattice_over(const Box& bounds) {
   const Vec3 centre = bounds.min + 0.5 * (bounds.max - bounds.min);
   for (;;) {
     lattice.origin = centre - Vec3::Constant(lattice.step * (kLatticeSize / 2));
-    constexpr double kLow = kLatticeMargin / 2;
+    constexpr double kLow = 0.5 * kLatticeMargin;
     constexpr double kHigh = kLatticeSize - kLow;
     const bool outside = lattice.to_lattice(bounds.min).minCoeff() < kLow ||
                          lattice.to_lattice(bounds.max).maxCoeff() > kHigh;

@@ -58,12 +58,12 @@ namespace {
 // Where the planes are nearly one, which is what most vertices see, only the largest eigenvalue
 // counts, and powers of the matrix show its vector: squared three times, the others' share is
 // below rounding.
-bool dominant_direction(const Eigen::Matrix3d& a, Vec3& direction) {
+bool dominant_direction(const Eigen::Matrix3d& a, double cutoff, Vec3& direction) {
   const double trace = a.trace();
   const double minors = a(0, 0) * a(1, 1) - a(0, 1) * a(0, 1) + a(0, 0) * a(2, 2) -
                         a(0, 2) * a(0, 2) + a(1, 1) * a(2, 2) - a(1, 2) * a(1, 2);
   // The minors add up to the largest eigenvalue times the sum of the others, or a little more.
-  if (!(minors < 0.5 * PrimalQuadric::kRankCutoff * trace * trace)) return false;
+  if (!(minors < 0.5 * cutoff * trace * trace)) return false;
   Eigen::Matrix3d power = a / trace;
   for (int i = 0; i < 3; ++i) power = (power * power).eval();
   int longest = 0;
@@ -74,15 +74,15 @@ bool dominant_direction(const Eigen::Matrix3d& a, Vec3& direction) {
 
 }  // namespace
 
-Vec3 PrimalQuadric::minimiser() const {
+Vec3 PrimalQuadric::minimiser(double cutoff) const {
   Vec3 direction;
-  if (dominant_direction(a_, direction)) {
+  if (dominant_direction(a_, cutoff, direction)) {
     return centre_ + direction * (direction.dot(b_) / direction.dot(a_ * direction));
   }
   const SymmetricEigen eigen = symmetric_eigen(a_);
   Vec3 y = Vec3::Zero();
   for (int k = 0; k < 3; ++k) {
-    if (!(eigen.values[k] > kRankCutoff * eigen.values[0])) break;
+    if (!(eigen.values[k] > cutoff * eigen.values[0])) break;
     const Vec3 axis = eigen.vectors.col(k);
     y += axis * (axis.dot(b_) / eigen.values[k]);
   }
@@ -99,8 +99,8 @@ Vec3 PrimalQuadric::certainty() const {
   return sum;
 }
 
-Vec3 PrimalQuadric::minimiser_in(const Vec3& lo, const Vec3& hi) const {
-  const Vec3 x = minimiser();
+Vec3 PrimalQuadric::minimiser_in(const Vec3& lo, const Vec3& hi, double cutoff) const {
+  const Vec3 x = minimiser(cutoff);
   const bool inside = (x.array() >= lo.array()).all() && (x.array() <= hi.array()).all();
   return inside ? x : boundary_minimiser(lo, hi);
 }

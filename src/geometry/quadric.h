@@ -40,17 +40,19 @@ class PrimalQuadric {
   /// where it may be moved at will. Sums up to the rank.
   Vec3 certainty() const;
 
-  /// The minimiser nearest to the centre, directions with an eigenvalue below kRankCutoff of the
+  /// The minimiser nearest to the centre, directions with an eigenvalue below `cutoff` of the
   /// largest left alone.
-  Vec3 minimiser() const;
+  Vec3 minimiser(double cutoff = kRankCutoff) const;
 
   /// The same within a box that holds the centre. If the free minimiser is outside, the least
   /// value on the box's faces, edges and corners counts (P. Lindstrom, C. Silva, A memory
   /// insensitive technique for large model simplification, 2001).
-  Vec3 minimiser_in(const Vec3& lo, const Vec3& hi) const;
+  Vec3 minimiser_in(const Vec3& lo, const Vec3& hi, double cutoff = kRankCutoff) const;
 
   /// Normals that differ by less than about 6 degrees from one plane count as that plane.
   static constexpr double kRankCutoff = 0.01;
+  /// The same for half a degree: for what the coarser rank leaves out of tolerance.
+  static constexpr double kFineCutoff = 1e-4;
 
  private:
   Vec3 boundary_minimiser(const Vec3& lo, const Vec3& hi) const;
@@ -60,5 +62,17 @@ class PrimalQuadric {
   Vec3 b_ = Vec3::Zero();
   double c_ = 0;
 };
+
+/// `minimiser_in` by the coarse rank if its residual, the largest distance to the planes, is well
+/// within the tolerance, else by the fine one if that is nearer.
+template <typename Residual>
+Vec3 minimiser_within(const PrimalQuadric& quadric, const Vec3& lo, const Vec3& hi,
+                      double tolerance, const Residual& residual) {
+  const Vec3 coarse = quadric.minimiser_in(lo, hi);
+  const double off = residual(coarse);
+  if (off <= 0.5 * tolerance) return coarse;
+  const Vec3 fine = quadric.minimiser_in(lo, hi, PrimalQuadric::kFineCutoff);
+  return residual(fine) < off ? fine : coarse;
+}
 
 }  // namespace kdm

@@ -225,5 +225,23 @@ TEST(PrimalQuadric, NoPointOfTheBoxIsBetter) {
   EXPECT_GT(outside, 1000);
 }
 
+// A ridge of three degrees: nearly one plane, but its line is where two planes meet.
+TEST(PrimalQuadric, ASlightCreaseCountsWhereThePlanesAskForIt) {
+  const Vec3 left = Vec3(0.05, 0, 1).normalized();
+  const Vec3 right = Vec3(-0.05, 0, 1).normalized();
+  PrimalQuadric quadric(Vec3(4, 0, 0));
+  quadric.add({left, 0});
+  quadric.add({right, 0});
+  const Vec3 lo(-10, -10, -10);
+  const Vec3 hi(10, 10, 10);
+  const auto residual = [&](const Vec3& x) {
+    return std::max(std::abs(left.dot(x)), std::abs(right.dot(x)));
+  };
+  EXPECT_NEAR(quadric.minimiser_in(lo, hi)[0], 4, 1e-9);
+  EXPECT_NEAR(quadric.minimiser_in(lo, hi, PrimalQuadric::kFineCutoff)[0], 0, 1e-9);
+  EXPECT_NEAR(minimiser_within(quadric, lo, hi, 1, residual)[0], 4, 1e-9);
+  EXPECT_NEAR(minimiser_within(quadric, lo, hi, 0.01, residual)[0], 0, 1e-9);
+}
+
 }  // namespace
 }  // namespace kdm
