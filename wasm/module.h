@@ -26,6 +26,8 @@ inline constexpr std::array<Named<Pairing>, 4> kPairings = {{{"trace", Pairing::
                                                              {"hermite", Pairing::kHermite},
                                                              {"inside", Pairing::kInside},
                                                              {"outside", Pairing::kOutside}}};
+inline constexpr std::array<Named<Strict>, 3> kStrict = {
+    {{"off", Strict::kOff}, {"manifold", Strict::kManifold}, {"embedded", Strict::kEmbedded}}};
 inline constexpr std::array<Named<MeshFormat>, 4> kFormats = {{{"obj", MeshFormat::kObj},
                                                                {"stl", MeshFormat::kStl},
                                                                {"ply", MeshFormat::kPly},
@@ -47,7 +49,8 @@ inline ExtractOptions to_extract_options(const val& from) {
   read(from, "quads", options.quads);
   read(from, "splitError", options.split_error);
   read(from, "unfold", options.unfold);
-  read(from, "strict", options.strict);
+  read(from, "linkError", options.link_error);
+  read(from, "strict", options.strict, kStrict);
   return options;
 }
 
@@ -124,7 +127,11 @@ inline val extract(const Grid& grid, val options, val progress) {
     report.set("droppedPillows", mesh.report.dropped_pillows);
     report.set("insertedVertices", mesh.report.inserted_vertices);
     report.set("splitVertices", mesh.report.split_vertices);
+    report.set("linkVertices", mesh.report.link_vertices);
     report.set("flippedEdges", mesh.report.flipped_edges);
+    report.set("refinedHits", mesh.report.refined_hits);
+    const std::optional<std::uint64_t>& crossings = mesh.report.crossings;
+    report.set("crossings", crossings ? val(static_cast<double>(*crossings)) : val::null());
     to.set("report", report);
     return to;
   });

@@ -20,6 +20,8 @@ struct Word {
   Value value;
 };
 
+constexpr Word<Strict> kStrict[] = {
+    {"off", Strict::kOff}, {"manifold", Strict::kManifold}, {"embedded", Strict::kEmbedded}};
 constexpr Word<SplitStrategy> kStrategies[] = {{"adaptive", SplitStrategy::kAdaptive},
                                                {"octree", SplitStrategy::kOctree},
                                                {"feature", SplitStrategy::kFeature},
@@ -119,6 +121,11 @@ std::vector<ValueOption> value_options(Command& command) {
       choice("--inside", kInsideRules, command.build.inside, "which winding numbers are inside"),
       choice("--pairing", kPairings, command.build.pairing,
              "how hits are linked where a face has more than two"),
+      choice("--strict", kStrict, command.extract.strict,
+             "what the index mesh must be; embedded: nothing crosses, 32-bit coordinates"),
+      not_negative("--link-error", "E", command.extract.link_error,
+                   "vertices where edges pass between leaves further than E from the surface, in "
+                   "model units; 0: the tolerance (0)"),
       not_negative("--split-error", "E", command.extract.split_error,
                    "split vertices further than E from a plane, in model units; 0: features (0)"),
   };
@@ -129,8 +136,8 @@ std::vector<Flag> flags(Command& command) {
       {"--quads", "write quads where four leaves meet", [&] { command.extract.quads = true; }},
       {"--no-unfold", "leave triangles that are folded over as they are",
        [&] { command.extract.unfold = false; }},
-      {"--no-strict", "keep double edges and parts without volume",
-       [&] { command.extract.strict = false; }},
+      {"--no-strict", "keep double edges and parts without volume, as --strict off",
+       [&] { command.extract.strict = Strict::kOff; }},
       {"--json", "print one JSON report on standard output, nothing else",
        [&] { command.json = true; }},
       {"--check", "verify the output, count crossings; exit status 1 if it is not 2-manifold",

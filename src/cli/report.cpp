@@ -49,7 +49,10 @@ Json output_json(const MeshReport& output, const ExtractReport& extracted) {
           {"droppedPillows", extracted.dropped_pillows},
           {"insertedVertices", extracted.inserted_vertices},
           {"splitVertices", extracted.split_vertices},
-          {"flippedEdges", extracted.flipped_edges}};
+          {"linkVertices", extracted.link_vertices},
+          {"flippedEdges", extracted.flipped_edges},
+          {"refinedHits", extracted.refined_hits},
+          {"crossings", extracted.crossings ? Json(*extracted.crossings) : Json()}};
 }
 
 // What --check looked for.

@@ -7,7 +7,10 @@
 #include <new>
 
 #include "extract/dual_mesh.h"
+#include "extract/embed.h"
+#include "extract/emit.h"
 #include "extract/place.h"
+#include "extract/refine.h"
 #include "extract/split_vertices.h"
 #include "extract/strict.h"
 #include "extract/unfold.h"
@@ -37,65 +40,109 @@ SplitError split_error(const GridData& grid, const ExtractOptions& options) {
   return SplitError{grid.tolerance, kFeature};
 }
 
-// The half-edge of triangle t across which it makes a quad, or kNone.
-Index quad_diagonal(const DualMesh& mesh, Index t) {
-  for (Index i = 0; i < 3; ++i) {
-    const Index half_edge = 3 * t + i;
-    if ((mesh.strip[t] >> i & 1) == 0) continue;
-    const Index other = mesh.opposite[half_edge];
-    const bool both = (mesh.strip[other / 3] >> (other % 3) & 1) != 0;
-    const Index c = mesh.vertex[previous_in_triangle(half_edge)];
-    if (both && c != mesh.vertex[previous_in_triangle(other)]) return half_edge;
+double link_error(const GridData& grid, const ExtractOptions& options) {
+  if (!(options.link_error >= 0)) {
+    throw Error(ErrorCode::kInvalidOption,
+                fmt::format("link_error is {}; it must be a number that is not negative",
+                            options.link_error));
   }
-  return kNone;
+  return options.link_error > 0 ? options.link_error / grid.lattice.step : grid.tolerance;
 }
 
-void emit(const GridData& grid, const DualMesh& mesh, bool quads, ExtractedMesh& out) {
-  out.positions.reserve(mesh.position.size());
-  for (const Vec3& p : mesh.position) out.positions.push_back(grid.lattice.to_model(p));
-  const auto source = [&](Index t) { return grid.source_faces[grid.hits[mesh.hit[t]].plane()]; };
-  std::vector<Index> quad_sources;
-  out.triangles.reserve(mesh.triangles());
-  out.source_faces.reserve(mesh.triangles());
-  for (Index t = 0; t < mesh.triangles(); ++t) {
-    if (mesh.dropped(t)) continue;
-    const Index diagonal = quads ? quad_diagonal(mesh, t) : kNone;
-    if (diagonal == kNone) {
-      out.triangles.push_back({mesh.vertex[3 * t], mesh.vertex[3 * t + 1], mesh.vertex[3 * t + 2]});
-      out.source_faces.push_back(source(t));
-      continue;
-    }
-    const Index other = mesh.opposite[diagonal];
-    if (other / 3 < t) continue;  // made with its partner
-    out.quads.push_back({mesh.vertex[diagonal], mesh.vertex[previous_in_triangle(other)],
-                         mesh.vertex[other], mesh.vertex[previous_in_triangle(diagonal)]});
-    quad_sources.push_back(source(t));
-  }
-  out.source_faces.insert(out.source_faces.end(), quad_sources.begin(), quad_sources.end());
+// The point, or one near it that is within the box and off its sides.
+Vec3 inside(const LatticeBox& box, double tolerance, const Vec3& point) {
+  constexpr double kMargin = 1.0 / 32;
+  const Vec3 margin = (kMargin * (real(box.hi) - real(box.lo))).cwiseMin(tolerance / 2);
+  return point.cwiseMax(real(box.lo) + margin).cwiseMin(real(box.hi) - margin);
 }
+
+// From loops to faces.
+class Meshing {
+ public:
+  Meshing(const GridData& grid, const ExtractOptions& options)
+      : grid_(grid),
+        options_(options),
+        error_(split_error(grid, options)),
+        link_error_(link_error(grid, options)) {}
+
+  void find_vertices(const Progress& progress) {
+    loops_ = dual_mesh_of(grid_);
+    if (options_.strict != Strict::kOff) drop_pillows(loops_);
+    find_loops(grid_, loops_);
+    report(progress, 0.4, "vertices");
+    boxes_ = cell_boxes(grid_);
+    points_ = hit_points(grid_, boxes_);
+    off_ = place_vertices(grid_, boxes_, points_, error_, loops_);
+  }
+
+  DualMesh faces(ExtractReport& report) {
+    if (options_.strict != Strict::kEmbedded || options_.quads) {
+      return refined(std::move(loops_), {}, report);
+    }
+    Embedding embedding = embed(
+        grid_, loops_, [&](const Details& details) { return refined(loops_, details, report); });
+    report.refined_hits = embedding.refined_hits;
+    report.crossings = embedding.crossings;
+    return std::move(embedding.mesh);
+  }
+
+ private:
+  DualMesh refined(DualMesh mesh, const Details& details, ExtractReport& report) const {
+    std::vector<Index> off;
+    std::copy_if(off_.begin(), off_.end(), std::back_inserter(off),
+                 [&](Index v) { return details.of_loop(v) == Detail::kPlain; });
+    for (Index v = 0; v < details.loops.size(); ++v) {
+      if (details.loops[v] < Detail::kInside) continue;
+      const bool centred = details.loops[v] == Detail::kCentred;
+      const Vec3 position = centred ? middle(mesh, v) : mesh.position[v];
+      mesh.position[v] = inside(boxes_[mesh.leaf[v]], grid_.tolerance, position);
+    }
+    report.split_vertices = split_vertices(grid_, boxes_, points_, error_, off, mesh);
+    if (!options_.quads)
+      report.link_vertices = refine(grid_, boxes_, points_, details, link_error_, mesh);
+    if (options_.strict != Strict::kOff)
+      report.inserted_vertices = separate_double_edges(points_, mesh);
+    if (options_.unfold && !options_.quads) report.flipped_edges = unfold(grid_, details, mesh);
+    report.dropped_pillows = mesh.dropped_pillows;
+    return mesh;
+  }
+
+  // Of the loop's hits.
+  Vec3 middle(const DualMesh& mesh, Index v) const {
+    Vec3 sum = Vec3::Zero();
+    int count = 0;
+    Index half_edge = mesh.first[v];
+    do {
+      sum += points_[mesh.hit[half_edge / 3]];
+      ++count;
+      half_edge = next_in_triangle(mesh.opposite[half_edge]);
+    } while (half_edge != mesh.first[v]);
+    return sum / count;
+  }
+
+  const GridData& grid_;
+  const ExtractOptions& options_;
+  SplitError error_;
+  double link_error_;
+  DualMesh loops_;
+  std::vector<LatticeBox> boxes_;
+  std::vector<Vec3> points_;
+  std::vector<Index> off_;
+};
 
 }  // namespace
 
 ExtractedMesh extract(const Grid& handle, const ExtractOptions& options,
                       const Progress& progress) try {
   const GridData& grid = handle.data();
-  const SplitError error = split_error(grid, options);
+  Meshing meshing(grid, options);
   report(progress, 0.0, "loops");
-  DualMesh mesh = dual_mesh_of(grid);
-  if (options.strict) drop_pillows(mesh);
-  find_loops(grid, mesh);
-  report(progress, 0.4, "vertices");
-  const std::vector<LatticeBox> boxes = cell_boxes(grid);
-  const std::vector<Vec3> points = hit_points(grid, boxes);
-  const std::vector<Index> off = place_vertices(grid, boxes, points, error, mesh);
+  meshing.find_vertices(progress);
+  report(progress, 0.7, "faces");
   ExtractedMesh out;
-  report(progress, 0.7, "vertices");
-  out.report.split_vertices = split_vertices(grid, boxes, points, error, off, mesh);
-  report(progress, 0.8, "faces");
-  if (options.strict) out.report.inserted_vertices = separate_double_edges(points, mesh);
-  if (options.unfold && !options.quads) out.report.flipped_edges = unfold(grid, mesh);
-  out.report.dropped_pillows = mesh.dropped_pillows;
-  emit(grid, mesh, options.quads, out);
+  const DualMesh mesh = meshing.faces(out.report);
+  report(progress, 0.9, "faces");
+  static_cast<Mesh&>(out) = emit(grid, mesh, options.quads, options.strict == Strict::kEmbedded);
   report(progress, 1.0, "faces");
   return out;
 } catch (const std::bad_alloc&) {

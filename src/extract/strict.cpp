@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "extract/edit.h"
 #include "geometry/assert.h"
 
 namespace kdm {
@@ -66,40 +67,12 @@ class Separation {
     return kNone;
   }
 
-  // Divides edge a-b between triangles (a, b, c) and (b, a, d):
-  //
-  //        c                 c
-  //      / . \             / | \        .
-  //     a-----b    ->     a--m--b
-  //      \ . /             \ | /
-  //        d                 d
   void insert_vertex(Index ab) {
     const Index ba = mesh_.opposite[ab];
-    const Index bc = next_in_triangle(ab);
-    const Index ad = next_in_triangle(ba);
-    const Index a = mesh_.vertex[ab];
-    const Index b = mesh_.vertex[ba];
     const Index c = mesh_.vertex[previous_in_triangle(ab)];
     const Index d = mesh_.vertex[previous_in_triangle(ba)];
-    const auto m = static_cast<Index>(mesh_.first.size());
-    mesh_.position.push_back(between(ab / 3, ba / 3, a, b));
-    mesh_.leaf.push_back(kNone);
-
-    const Index mbc = mesh_.add_triangle(mesh_.hit[ab / 3], m, b, c);
-    const Index mad = mesh_.add_triangle(mesh_.hit[ba / 3], m, a, d);
-    mesh_.link(mbc + 1, mesh_.opposite[bc]);
-    mesh_.link(mad + 1, mesh_.opposite[ad]);
-    mesh_.link(mbc, ba);
-    mesh_.link(mad, ab);
-    mesh_.link(mbc + 2, bc);  // bc becomes m -> c
-    mesh_.link(mad + 2, ad);
-    mesh_.vertex[bc] = m;
-    mesh_.vertex[ad] = m;
-    mesh_.first.push_back(bc);
-    // Vertices a and b may have been entered by half-edges that start elsewhere now.
-    if (mesh_.first[b] == bc) mesh_.first[b] = mbc + 1;
-    if (mesh_.first[a] == ad) mesh_.first[a] = mad + 1;
-    mesh_.strip[ab / 3] = mesh_.strip[ba / 3] = 0;
+    const Vec3 position = between(ab / 3, ba / 3, mesh_.vertex[ab], mesh_.vertex[ba]);
+    const Index m = divide_edge(ab, position, mesh_);
     if (c == d) doubles_.emplace_back(m, c);
   }
 

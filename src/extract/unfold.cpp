@@ -19,8 +19,12 @@ constexpr int kMaxFlips = 4;  // of one triangle
 
 class Unfolding {
  public:
-  Unfolding(const GridData& grid, DualMesh& mesh)
-      : grid_(grid), mesh_(mesh), flips_(mesh.triangles(), 0) {}
+  Unfolding(const GridData& grid, const Details& details, DualMesh& mesh)
+      : grid_(grid), mesh_(mesh), flips_(mesh.triangles(), 0) {
+    for (Index t = 0; t < mesh.triangles(); ++t) {
+      if (details.of_hit(mesh.hit[t]) != Detail::kPlain) flips_[t] = kMaxFlips;
+    }
+  }
 
   Index run() {
     for (Index t = 0; t < mesh_.triangles(); ++t) {
@@ -171,6 +175,8 @@ class Unfolding {
 
 }  // namespace
 
-Index unfold(const GridData& grid, DualMesh& mesh) { return Unfolding(grid, mesh).run(); }
+Index unfold(const GridData& grid, const Details& details, DualMesh& mesh) {
+  return Unfolding(grid, details, mesh).run();
+}
 
 }  // namespace kdm

@@ -2,14 +2,14 @@
 // Triangles that are folded over their neighbours.
 #pragma once
 
-#include "extract/dual_mesh.h"
+#include "extract/refine.h"
 
 namespace kdm {
 
 /// Flips edges of triangles that are turned away from the plane of their hit, or have no area,
 /// where the two triangles then lie better: leaves of different size beside a concave crease leave
 /// such folds, which reach beyond the surface. No edge is doubled by it, so an index mesh that is
-/// 2-manifold stays so. Returns the number of flips.
-Index unfold(const GridData& grid, DualMesh& mesh);
+/// 2-manifold stays so. Triangles of hits with details are left alone. Returns the number of flips.
+Index unfold(const GridData& grid, const Details& details, DualMesh& mesh);
 
 }  // namespace kdm

@@ -120,9 +120,10 @@ TEST_F(Cli, HelpListsTheOptions) {
       options.insert(it->str());
     }
     EXPECT_EQ(options, (std::set<std::string>{"--check", "--depth", "--help", "--inside", "--json",
-                                              "--no-strict", "--no-unfold", "--output", "--pairing",
-                                              "--quads", "--relative-tolerance", "--split-error",
-                                              "--strategy", "--tolerance", "--version"}));
+                                              "--link-error", "--no-strict", "--no-unfold",
+                                              "--output", "--pairing", "--quads",
+                                              "--relative-tolerance", "--split-error", "--strategy",
+                                              "--strict", "--tolerance", "--version"}));
     EXPECT_NE(outcome.out.find("adaptive|octree|feature|median|uniform"), std::string::npos);
   }
 }
@@ -172,10 +173,11 @@ TEST_F(Cli, ReportHasTheDocumentedKeys) {
   EXPECT_EQ(keys(json["grid"]),
             (Names{"cells", "leaves", "hits", "depth", "bytes", "topologyResolved",
                    "unresolvedLeaves", "ambiguousFaces", "guessedFaces"}));
-  EXPECT_EQ(keys(json["output"]),
-            (Names{"vertices", "triangles", "quads", "components", "eulerCharacteristic",
-                   "twoManifold", "closed", "volume", "area", "droppedPillows", "insertedVertices",
-                   "splitVertices", "flippedEdges", "selfIntersections"}));
+  EXPECT_EQ(
+      keys(json["output"]),
+      (Names{"vertices", "triangles", "quads", "components", "eulerCharacteristic", "twoManifold",
+             "closed", "volume", "area", "droppedPillows", "insertedVertices", "splitVertices",
+             "linkVertices", "flippedEdges", "refinedHits", "crossings", "selfIntersections"}));
   EXPECT_EQ(keys(json["check"]),
             (Names{"twoManifold", "closed", "boundaryEdges", "nonManifoldEdges", "misorientedEdges",
                    "nonManifoldVertices", "degenerateFaces", "duplicateFaces"}));
@@ -240,6 +242,12 @@ TEST_F(Cli, EveryOptionHasAnEffect) {
   EXPECT_GT(quads["output"]["quads"].get<int>(), 0);
   const std::string text = read("quads.obj");
   EXPECT_TRUE(std::regex_search(text, std::regex("\nf \\d+ \\d+ \\d+ \\d+\n")));
+  const Json loose = report("turned.obj --tolerance 0.05 --link-error 9 --strict off");
+  const Json followed = report("turned.obj --tolerance 0.05 --link-error 0.0001 --strict embedded");
+  EXPECT_EQ(loose["output"]["linkVertices"], 0);
+  EXPECT_EQ(loose["output"]["crossings"], nullptr);
+  EXPECT_GT(followed["output"]["linkVertices"].get<int>(), 0);
+  EXPECT_EQ(followed["output"]["crossings"], 0);
   for (const char* pairing : {"trace", "hermite", "inside", "outside"}) {
     const Json json = report(base + "median --pairing " + pairing);
     EXPECT_EQ(json["output"]["twoManifold"], true) << pairing;

@@ -212,7 +212,7 @@ TEST(Loops, ABulgeThroughOneEdgeIsAPillowOfTheReport) {
     const Grid grid = build_grid(bulge(Vec3(0.3 + 2.0 * i, 0.4, 0.2)),
                                  {.strategy = SplitStrategy::kUniform, .depth = 3});
     const ExtractedMesh strict = extract(grid);
-    const ExtractedMesh raw = extract(grid, {.strict = false});
+    const ExtractedMesh raw = extract(grid, {.strict = Strict::kOff});
     EXPECT_EQ(raw.report.dropped_pillows, 0u);
     if (strict.report.dropped_pillows == 0) continue;
     ++dropped;

@@ -96,7 +96,7 @@ TEST_P(Model, IsTwoManifoldWhateverTheOptions) {
 
 TEST_P(Model, RawSurfaceIsClosedAndOriented) {
   const Grid grid = build_grid(GetParam().mesh, {.depth = 10});
-  const check::MeshCheck raw = check::check_mesh(extract(grid, {.strict = false}));
+  const check::MeshCheck raw = check::check_mesh(extract(grid, {.strict = Strict::kOff}));
   EXPECT_TRUE(raw.oriented) << raw.faults();
   EXPECT_EQ(raw.boundary_edges, 0);
 }
@@ -344,7 +344,7 @@ TEST(Models, QuadsCoverAUniformGrid) {
   for (const Mesh& mesh :
        {shapes::icosphere(3), shapes::rotated(shapes::cube(), Vec3(1, 2, 3), 1)}) {
     const Grid grid = build_grid(mesh, {.strategy = SplitStrategy::kUniform, .depth = 12});
-    const ExtractedMesh out = extract(grid, {.quads = true, .strict = false});
+    const ExtractedMesh out = extract(grid, {.quads = true, .strict = Strict::kOff});
     EXPECT_TRUE(out.triangles.empty());
     EXPECT_EQ(2 * out.quads.size(), grid.stats().hits);
     EXPECT_EQ(check::check_mesh(out).boundary_edges, 0);

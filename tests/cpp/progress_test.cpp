@@ -59,7 +59,7 @@ TEST(Progress, BuildingRisesThroughItsPhases) {
 
 TEST(Progress, ExtractionRisesThroughItsPhases) {
   const Grid grid = build_grid(ring());
-  for (const bool strict : {false, true}) {
+  for (const Strict strict : {Strict::kOff, Strict::kManifold, Strict::kEmbedded}) {
     Calls calls;
     extract(grid, {.strict = strict}, std::ref(calls));
     expect_rising(calls);

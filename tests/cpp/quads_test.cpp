@@ -14,8 +14,8 @@
 namespace kdm {
 namespace {
 
-// With quads no vertices are split and no edges flipped.
-constexpr ExtractOptions kPlain{.split_error = 1e9, .unfold = false};
+// With quads no vertices are split or added to links, and no edges flipped.
+constexpr ExtractOptions kPlain{.split_error = 1e9, .unfold = false, .link_error = 1e9};
 
 const BuildOptions kUniform{.strategy = SplitStrategy::kUniform, .depth = 12};
 
@@ -39,7 +39,7 @@ TEST(Quads, AnInsertedVertexTurnsTwoQuadsIntoTriangles) {
   EXPECT_GT(quads.triangles.size(), 0u);
   EXPECT_LE(quads.triangles.size(), 6 * quads.report.inserted_vertices);
   EXPECT_TRUE(check::is_two_manifold(quads));
-  EXPECT_TRUE(extract(grid, {.quads = true, .strict = false}).triangles.empty());
+  EXPECT_TRUE(extract(grid, {.quads = true, .strict = Strict::kOff}).triangles.empty());
 }
 
 TEST(Quads, WithoutTheOptionThereAreNone) {

@@ -168,8 +168,9 @@ TEST(Strict, IsNeededAndReported) {
     const Grid grid = build_grid(shapes::random_voxels(4, 0.5, seed),
                                  {.strategy = SplitStrategy::kMedian, .depth = 10});
     // Vertex splits would take most of them apart.
-    const ExtractedMesh raw = extract(grid, {.split_error = 1e9, .strict = false});
-    const ExtractedMesh strict = extract(grid, {.split_error = 1e9});
+    const ExtractedMesh raw =
+        extract(grid, {.split_error = 1e9, .link_error = 1e9, .strict = Strict::kOff});
+    const ExtractedMesh strict = extract(grid, {.split_error = 1e9, .link_error = 1e9});
     EXPECT_EQ(raw.report.inserted_vertices, 0u);
     ASSERT_TRUE(check::is_two_manifold(strict));
     if (strict.report.dropped_pillows == 0) {

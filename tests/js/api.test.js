@@ -114,7 +114,7 @@ test('quads on request, and as many faces in all as source faces', () => {
 });
 
 test('without strict nothing is dropped or inserted', () => {
-  const mesh = convert(torus(), { strategy: 'uniform', depth: 9 }, { strict: false });
+  const mesh = convert(torus(), { strategy: 'uniform', depth: 9 }, { strict: 'off' });
   expect(mesh.report).toMatchObject({ droppedPillows: 0, insertedVertices: 0 });
 });
 

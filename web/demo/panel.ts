@@ -106,6 +106,7 @@ export function showResult({ report }: Conversion): void {
     ['2-manifold', yes(output.twoManifold)],
     ['Inserted vertices', number.format(output.insertedVertices)],
     ['Split vertices', number.format(output.splitVertices)],
+    ['Link vertices', number.format(output.linkVertices)],
     ['Flipped edges', number.format(output.flippedEdges)],
     ['Dropped pillows', number.format(output.droppedPillows)],
   ]);

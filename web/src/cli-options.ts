@@ -29,6 +29,7 @@ const ownFlags = {
   check: 'verify the output; exit status 1 if it is not 2-manifold',
   version: 'print the version',
   help: 'print this',
+  'no-strict': 'keep double edges and parts without volume, as --strict off',
 };
 
 function usageError(message: string): never {
@@ -52,7 +53,7 @@ export function readCommand(args: string[]): Command {
     input: positionals[0] ?? '',
     output: values.output as string | undefined,
     build: readTable(buildOptions, values),
-    extract: readTable(extractOptions, values),
+    extract: readTable(extractOptions, values['no-strict'] ? { ...values, strict: 'off' } : values),
     json: values.json === true,
     check: values.check === true,
     help: values.help === true,

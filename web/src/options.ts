@@ -64,5 +64,16 @@ export const extractOptions: Table<ExtractOptions> = {
   },
   quads: { kind: 'flag', default: false, help: 'write quads where four leaves meet' },
   unfold: { kind: 'flag', default: true, help: 'flip edges of triangles that are folded over' },
-  strict: { kind: 'flag', default: true, help: 'make the index mesh 2-manifold' },
+  linkError: {
+    kind: 'number',
+    min: 0,
+    default: 0,
+    help: 'vertices where edges pass between leaves further from the surface than this, in model units; 0: the tolerance',
+  },
+  strict: {
+    kind: 'choice',
+    values: ['off', 'manifold', 'embedded'],
+    default: 'manifold',
+    help: 'what the index mesh must be; embedded: nothing crosses',
+  },
 };

@@ -107,8 +107,19 @@ export interface ExtractOptions {
    * true). Takes away most self-intersections. Not with `quads`.
    */
   unfold?: boolean;
-  /** Make the result 2-manifold as an index mesh (default true). Off: the raw dual surface. */
-  strict?: boolean;
+  /**
+   * Put a vertex where an edge passes from one leaf to another further from the surface than this, in model
+   * units. Not negative; more than the model's size: never. Default 0: the grid's tolerance. Not with `quads`.
+   */
+  linkError?: number;
+  /**
+   * What the result must be as an index mesh:
+   * - `manifold` (default): 2-manifold; vertices keep apart what would share an edge, parts without volume go
+   * - `embedded`: the same, and no two triangles cross or touch but where they share vertices; holds for the
+   *   32-bit positions. Not with `quads`
+   * - `off`: the raw dual surface, whose half-edges are manifold but not its vertex numbers
+   */
+  strict?: 'off' | 'manifold' | 'embedded';
 }
 
 /** What a long synchronous call takes besides. */
@@ -171,8 +182,17 @@ export interface ExtractReport {
   insertedVertices: number;
   /** Vertices added for further features of a leaf. */
   splitVertices: number;
+  /** Vertices added between leaves and at hits. */
+  linkVertices: number;
   /** Edges of triangles that were folded over. */
   flippedEdges: number;
+  /** `embedded`: hits that got vertices so that nothing crosses. */
+  refinedHits: number;
+  /**
+   * `embedded`: pairs of triangles that still cross or touch; 0 unless several parts of the surface in one
+   * leaf, or nearer to each other than 32 bits tell apart, are in each other's way. Else null: nobody has looked.
+   */
+  crossings: number | null;
 }
 
 /** What `Grid.extract` gives. */

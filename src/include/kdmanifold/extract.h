@@ -2,11 +2,23 @@
 // kd-tree grid -> 2-manifold mesh (paper sections 2 and 3.3).
 #pragma once
 
+#include <optional>
+
 #include "kdmanifold/grid.h"
 #include "kdmanifold/mesh.h"
 #include "kdmanifold/progress.h"
 
 namespace kdm {
+
+/// What the result must be as an index mesh.
+enum class Strict {
+  kOff,       ///< the raw dual surface, whose half-edges are manifold but not its vertex numbers
+  kManifold,  ///< 2-manifold: vertices keep edges apart that two parts of the surface would share,
+              ///< parts without volume are dropped
+  /// The same, and no two triangles cross or touch but where they share vertices, none is without
+  /// area. Coordinates are rounded to 32 bits and it holds for these. Not with `quads`.
+  kEmbedded
+};
 
 struct ExtractOptions {
   /// Join the two triangles of an edge where four leaves meet to one quad (all of them on a
@@ -20,17 +32,24 @@ struct ExtractOptions {
   /// Flip edges of triangles that are folded over their neighbours, where that lays them flat.
   /// Takes away most self-intersections. Not with `quads`.
   bool unfold = true;
-  /// Make the result 2-manifold as an index mesh: insert a vertex where two parts of the surface
-  /// would share an edge, drop parts without volume. Off: the raw dual surface, whose half-edges
-  /// are manifold but whose vertex numbers may not show it.
-  bool strict = true;
+  /// Put a vertex where an edge passes from one leaf to another further from the surface than
+  /// this, in model units. Not negative; more than the model's size: never. 0: the grid's
+  /// tolerance. Not with `quads`.
+  double link_error = 0;
+  Strict strict = Strict::kManifold;
 };
 
 struct ExtractReport {
   Index dropped_pillows = 0;    ///< parts without volume that were left out
   Index inserted_vertices = 0;  ///< vertices added to keep edges apart
   Index split_vertices = 0;     ///< vertices added for further features of a leaf
+  Index link_vertices = 0;      ///< vertices added between leaves and at hits
   Index flipped_edges = 0;      ///< of triangles that were folded over
+  Index refined_hits = 0;       ///< `kEmbedded`: hits that got vertices so that nothing crosses
+  /// `kEmbedded`: pairs of triangles that still cross or touch. 0 unless several loops of a leaf,
+  /// or parts nearer to each other than 32 bits tell apart, are in each other's way. Else nobody
+  /// has looked.
+  std::optional<std::uint64_t> crossings;
 };
 
 /// A mesh with the account of how it was made.

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// From the dual mesh to the mesh that is handed out.
+#include "extract/emit.h"
+
+namespace kdm {
+namespace {
+
+// The half-edge of triangle t across which it makes a quad, or kNone.
+Index quad_diagonal(const DualMesh& mesh, Index t) {
+  for (Index i = 0; i < 3; ++i) {
+    const Index half_edge = 3 * t + i;
+    if ((mesh.strip[t] >> i & 1) == 0) continue;
+    const Index other = mesh.opposite[half_edge];
+    const bool both = (mesh.strip[other / 3] >> (other % 3) & 1) != 0;
+    const Index c = mesh.vertex[previous_in_triangle(half_edge)];
+    if (both && c != mesh.vertex[previous_in_triangle(other)]) return half_edge;
+  }
+  return kNone;
+}
+
+}  // namespace
+
+Mesh emit(const GridData& grid, const DualMesh& mesh, bool quads, bool single) {
+  Mesh out;
+  out.positions.reserve(mesh.position.size());
+  for (const Vec3& p : mesh.position) {
+    const Vec3 position = grid.lattice.to_model(p);
+    out.positions.push_back(single ? position.cast<float>().cast<double>() : position);
+  }
+  const auto source = [&](Index t) { return grid.source_faces[grid.hits[mesh.hit[t]].plane()]; };
+  std::vector<Index> quad_sources;
+  out.triangles.reserve(mesh.triangles());
+  out.source_faces.reserve(mesh.triangles());
+  for (Index t = 0; t < mesh.triangles(); ++t) {
+    if (mesh.dropped(t)) continue;
+    const Index diagonal = quads ? quad_diagonal(mesh, t) : kNone;
+    if (diagonal == kNone) {
+      out.triangles.push_back({mesh.vertex[3 * t], mesh.vertex[3 * t + 1], mesh.vertex[3 * t + 2]});
+      out.source_faces.push_back(source(t));
+      continue;
+    }
+    const Index other = mesh.opposite[diagonal];
+    if (other / 3 < t) continue;  // made with its partner
+    out.quads.push_back({mesh.vertex[diagonal], mesh.vertex[previous_in_triangle(other)],
+                         mesh.vertex[other], mesh.vertex[previous_in_triangle(diagonal)]});
+    quad_sources.push_back(source(t));
+  }
+  out.source_faces.insert(out.source_faces.end(), quad_sources.begin(), quad_sources.end());
+  return out;
+}
+
+}  // namespace kdm

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// From the dual mesh to the mesh that is handed out.
+#pragma once
+
+#include "extract/dual_mesh.h"
+#include "kdmanifold/mesh.h"
+
+namespace kdm {
+
+/// The mesh in model units, without dropped triangles. `quads`: two triangles beside a strip become
+/// one quad. `single`: coordinates are rounded to 32 bits.
+Mesh emit(const GridData& grid, const DualMesh& mesh, bool quads, bool single);
+
+}  // namespace kdm

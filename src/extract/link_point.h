@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// Where an edge of the mesh may pass through the minimal face of its link.
+#pragma once
+
+#include <optional>
+
+#include "extract/dual_mesh.h"
+
+namespace kdm {
+
+/// The overlap of two leaves' sides.
+struct LinkFace {
+  Vec3 lo;
+  Vec3 hi;
+  int axis;  ///< normal to it: lo and hi agree there
+};
+
+/// The face between two leaves that touch, unless it is a strip.
+std::optional<LinkFace> face_between(const LatticeBox& first, const LatticeBox& second);
+
+/// The middle between the two hits; off their line, into the face, if that is one of its sides, so
+/// that arcs over one edge stay apart, nested ones nested.
+Vec3 chord_point(const std::vector<Vec3>& points, const LinkFace& face, Index hit, Index other);
+
+/// Where the two hits' planes meet in the face, near the middle between them where they agree.
+/// Off their line like `chord_point`.
+Vec3 crease_point(const GridData& grid, const std::vector<Vec3>& points, const LinkFace& face,
+                  Index hit, Index other);
+
+}  // namespace kdm

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// Vertices at hits and links, where one triangle a hit is too few (design: six triangles a hit, of
+// which each lies in one leaf, cannot meet those of other leaves).
+#pragma once
+
+#include "extract/dual_mesh.h"
+
+namespace kdm {
+
+/// What is done about a hit and its loops; each includes those before.
+enum class Detail : std::uint8_t {
+  kPlain,   ///< the triangle of three loops
+  kFull,    ///< the hit and its links become vertices; its loops' vertices are not split
+  kInside,  ///< the loops' vertices lie off the sides of their leaves
+  kApart,   ///< the links' vertices lie where those of one face keep clear of each other
+  kCentred  ///< the loops' vertices lie amid their hits: several loops of a leaf keep clear
+};
+
+/// Per hit and per loop; empty where all is plain.
+struct Details {
+  std::vector<Detail> hits;
+  std::vector<Detail> loops;
+
+  Detail of_hit(Index hit) const { return hits.empty() ? Detail::kPlain : hits[hit]; }
+  Detail of_loop(Index loop) const { return loops.empty() ? Detail::kPlain : loops[loop]; }
+};
+
+/// Adds the vertices that the details ask for, and one in each minimal face that an edge of the
+/// mesh crosses further than `distance` (lattice units) from the surface. Returns their number.
+Index refine(const GridData& grid, const std::vector<LatticeBox>& boxes,
+             const std::vector<Vec3>& points, const Details& details, double distance,
+             DualMesh& mesh);
+
+}  // namespace kdm

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+// Vertices where edges pass from leaf to leaf, and where these go.
+#include "extract/refine.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "extract/link_point.h"
+#include "geometry/distance.h"
+#include "kdmanifold/build.h"
+#include "kdmanifold/error.h"
+#include "kdmanifold/extract.h"
+#include "support/mesh_assert.h"
+#include "support/shapes.h"
+
+namespace kdm {
+namespace {
+
+TEST(Distance, ToASegment) {
+  EXPECT_EQ(squared_distance(Vec3(1, 2, 0), Vec3(0, 0, 0), Vec3(4, 0, 0)), 4);
+  EXPECT_EQ(squared_distance(Vec3(-3, 4, 0), Vec3(0, 0, 0), Vec3(4, 0, 0)), 25);
+  EXPECT_EQ(squared_distance(Vec3(7, 4, 0), Vec3(0, 0, 0), Vec3(4, 0, 0)), 25);
+  EXPECT_EQ(squared_distance(Vec3(0, 2, 0), Vec3(1, 2, 2), Vec3(1, 2, 2)), 5);
+}
+
+TEST(Distance, ToATriangleIsThatToItsNearestPoint) {
+  const Vec3 a(0, 0, 0), b(4, 1, 0), c(1, 3, 1);
+  for (int i = 0; i < 500; ++i) {
+    const Vec3 p(i % 10 - 3, i / 10 % 10 - 3, i / 100 - 2);
+    double least = 1e300;
+    constexpr int kSteps = 200;
+    for (int u = 0; u <= kSteps; ++u) {
+      for (int v = 0; u + v <= kSteps; ++v) {
+        const Vec3 q = a + (b - a) * u / kSteps + (c - a) * v / kSteps;
+        least = std::min(least, (p - q).squaredNorm());
+      }
+    }
+    const double exact = squared_distance(p, a, b, c);
+    EXPECT_LE(exact, least + 1e-9);
+    EXPECT_NEAR(std::sqrt(exact), std::sqrt(least), 0.03);
+  }
+  EXPECT_EQ(squared_distance(Vec3(0, 2, 0), a, Vec3(1, 0, 0), Vec3(2, 0, 0)), 4) << "no area";
+}
+
+TEST(LinkPoint, LiesBetweenLeavesThatShareAFace) {
+  const LatticeBox box{{0, 0, 0}, {8, 8, 8}};
+  const std::optional<LinkFace> face = face_between(box, {{8, 2, -4}, {16, 20, 4}});
+  ASSERT_TRUE(face);
+  EXPECT_EQ(face->axis, 0);
+  EXPECT_EQ(face->lo, Vec3(8, 2, 0));
+  EXPECT_EQ(face->hi, Vec3(8, 8, 4));
+  EXPECT_FALSE(face_between(box, {{8, 8, 0}, {16, 16, 8}})) << "a strip";
+}
+
+// Two hits in the face x = 8 with normals in its plane.
+struct TwoHits {
+  GridData grid;
+  std::vector<Vec3> points;
+  LinkFace face{Vec3(8, 0, 0), Vec3(8, 10, 10), 0};
+
+  TwoHits(const Vec3& p, const Vec3& n, const Vec3& q, const Vec3& m) : points{p, q} {
+    grid.tolerance = 0.01;
+    grid.planes = {{n.normalized(), n.normalized().dot(p)},
+                   {m.normalized(), m.normalized().dot(q)}};
+    grid.hits = {Hit(0, 0, false, false), Hit(0, 1, false, false)};
+  }
+  Vec3 crease() const { return crease_point(grid, points, face, 0, 1); }
+  Vec3 chord() const { return chord_point(points, face, 0, 1); }
+};
+
+TEST(LinkPoint, IsWhereThePlanesMeet) {
+  const TwoHits roof(Vec3(8, 0, 2), Vec3(0, -1, 1), Vec3(8, 10, 2), Vec3(0, 1, 1));
+  EXPECT_LT((roof.crease() - Vec3(8, 5, 7)).norm(), 1e-9);
+  EXPECT_EQ(roof.chord(), Vec3(8, 5, 2));
+  const TwoHits flat(Vec3(8, 0, 2), Vec3(0, 0, 1), Vec3(8, 10, 2), Vec3(0, 0, 1));
+  EXPECT_LT((flat.crease() - Vec3(8, 5, 2)).norm(), 1e-9);
+  // Both lines lead out of the face the same way: they meet beyond the hits.
+  const TwoHits bent(Vec3(8, 0, 9), Vec3(0, -1, 1), Vec3(8, 1, 10), Vec3(0, -3, 1));
+  EXPECT_TRUE((bent.crease().array() >= bent.face.lo.array()).all());
+  EXPECT_TRUE((bent.crease().array() <= bent.face.hi.array()).all());
+}
+
+TEST(LinkPoint, ArcsOverOneEdgeLeaveItNested) {
+  const Vec3 up(0, 0, 1);
+  const TwoHits outer(Vec3(8, 1, 0), up, Vec3(8, 9, 0), up);
+  const TwoHits inner(Vec3(8, 3, 0), up, Vec3(8, 5, 0), up);
+  EXPECT_GT(inner.chord()[2], 0);
+  EXPECT_GT(outer.chord()[2], inner.chord()[2]);
+  EXPECT_GE(outer.crease()[2], outer.chord()[2]);
+  const TwoHits high(Vec3(8, 1, 10), up, Vec3(8, 9, 10), up);
+  EXPECT_LT(high.chord()[2], 10);
+  const TwoHits peak(Vec3(8, 3, 0), Vec3(0, -1, 1), Vec3(8, 7, 0), Vec3(0, 1, 1));
+  EXPECT_LT((peak.crease() - Vec3(8, 5, 2)).norm(), 1e-9) << "a feature that pokes through";
+}
+
+// The largest distance of points on the mesh's edges to the other mesh.
+double furthest_edge_point(const Mesh& mesh, const Mesh& from) {
+  double furthest = 0;
+  for (const Triangle& t : mesh.triangles) {
+    for (int i = 0; i < 3; ++i) {
+      const Vec3& p = mesh.positions[t[i]];
+      const Vec3& q = mesh.positions[t[(i + 1) % 3]];
+      for (const double s : {0.25, 0.5, 0.75}) {
+        double least = 1e300;
+        for (const Triangle& f : from.triangles) {
+          least = std::min(least, squared_distance(p + s * (q - p), from.positions[f[0]],
+                                                   from.positions[f[1]], from.positions[f[2]]));
+        }
+        furthest = std::max(furthest, least);
+      }
+    }
+  }
+  return std::sqrt(furthest);
+}
+
+TEST(Refine, EdgesStayWithinTheTolerance) {
+  double before = 0;
+  double after = 0;
+  for (int turn = 1; turn <= 4; ++turn) {
+    const Mesh mesh = shapes::rotated(shapes::stairs(3), Vec3(turn, 2, 3), 0.3 + 0.2 * turn);
+    const double tolerance = 0.02;
+    const Grid grid = build_grid(mesh, {.tolerance = tolerance});
+    const ExtractedMesh plain = extract(grid, {.link_error = 1e9});
+    EXPECT_EQ(plain.report.link_vertices, 0u);
+    const ExtractedMesh out = extract(grid);
+    EXPECT_TRUE(check::is_two_manifold(out));
+    EXPECT_GT(out.report.link_vertices, 0u);
+    EXPECT_LT(out.report.link_vertices, grid.stats().hits / 2);
+    before = std::max(before, furthest_edge_point(plain, mesh));
+    after = std::max(after, furthest_edge_point(out, mesh));
+    EXPECT_LE(furthest_edge_point(out, mesh), 1.5 * tolerance) << turn;
+  }
+  EXPECT_LT(2 * after, before);
+}
+
+TEST(Refine, ErrorsMustBeNumbersFromZeroOn) {
+  const Grid grid = build_grid(shapes::cube());
+  for (const double error : {-1.0, std::nan("")}) {
+    try {
+      extract(grid, {.link_error = error});
+      FAIL() << error;
+    } catch (const Error& refused) {
+      EXPECT_EQ(refused.code(), ErrorCode::kInvalidOption);
+      EXPECT_NE(std::string(refused.what()).find("link_error"), std::string::npos);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace kdm
