@@ -75,16 +75,11 @@ class Linking {
             side == 0 || side == 1};
   }
 
-  // Counter-clockwise: sides 0 and 1 upwards, sides 2 and 3 downwards.
   void collect(const MinimalFace& face) {
     outline_.clear();
-    for (int side = 0; side < 4; ++side) {
-      const FaceEdge& edge = face.edges[side];
-      for (Index i = 0; i < edge.size(); ++i) {
-        const Index hit = side < 2 ? edge.begin + i : edge.end - 1 - i;
-        outline_.push_back(outline_hit(edge, hit, side));
-      }
-    }
+    for_each_hit(face, [&](const FaceEdge& edge, Index hit, int side) {
+      outline_.push_back(outline_hit(edge, hit, side));
+    });
   }
 
   void link(const MinimalFace& face, const OutlineHit& a, const OutlineHit& b,
