@@ -115,6 +115,21 @@ inline val build_grid(val mesh, val options, val progress) {
   });
 }
 
+inline val load_grid(val bytes, std::string name) {
+  return guard([&] {
+    const std::string copy = to_bytes(bytes);
+    return val(
+        kdm::load_grid({reinterpret_cast<const std::uint8_t*>(copy.data()), copy.size()}, name));
+  });
+}
+
+inline val save_grid(const Grid& grid) {
+  return guard([&] {
+    const std::vector<std::uint8_t> bytes = kdm::save_grid(grid);
+    return copy_out("Uint8Array", bytes.size(), bytes.data());
+  });
+}
+
 inline val extract(const Grid& grid, val options, val progress) {
   return guard([&] {
     const ExtractedMesh mesh =

@@ -108,7 +108,8 @@ ValueOption not_negative(const char* name, const char* letter, double& target, c
           }};
 }
 
-std::vector<ValueOption> value_options(Command& command) {
+// What has no effect on a grid that is loaded.
+std::vector<ValueOption> build_options(Command& command) {
   return {
       choice("--strategy", kStrategies, command.build.strategy, "how cells are split"),
       not_negative("--tolerance", "T", command.build.tolerance,
@@ -119,6 +120,11 @@ std::vector<ValueOption> value_options(Command& command) {
       choice("--inside", kInsideRules, command.build.inside, "which winding numbers are inside"),
       choice("--pairing", kPairings, command.build.pairing,
              "how hits are linked where a face has more than two"),
+  };
+}
+
+std::vector<ValueOption> extract_options(Command& command) {
+  return {
       not_negative("--split-error", "E", command.extract.split_error,
                    "split vertices further than E from a plane, in model units; 0: features (0)"),
   };
@@ -155,22 +161,30 @@ Command parse_command(int argc, const char* const* argv) {
   Command command;
   CLI::App app(
       "Makes a closed, oriented 2-manifold mesh of a closed mesh.\n"
-      "Formats by extension: OBJ, STL, PLY, OFF.\n",
+      "Formats by extension: OBJ, STL, PLY, OFF; saved grids: .kdgrid.\n",
       "kdmanifold");
-  app.add_option("INPUT", command.input, "the mesh to convert")->required()->type_name("");
+  app.add_option("INPUT", command.input, "the mesh to convert, or a saved grid")
+      ->required()
+      ->type_name("");
   app.add_option("-o,--output", command.output, "where the result goes")->type_name("FILE");
+  app.add_option("--save-grid", command.save_grid,
+                 "where the grid goes, to be INPUT another time (.kdgrid)")
+      ->type_name("FILE");
   // Not by CLI11's validators, which wrap messages of their own around ours.
   std::string fault;
-  // The list must live until the arguments have been read.
-  const std::vector<ValueOption> values = value_options(command);
-  for (const ValueOption& option : values) {
-    app.add_option_function<std::string>(
-           option.name,
-           [&](const std::string& text) {
-             if (fault.empty()) fault = option.set(text);
-           },
-           option.help)
-        ->type_name(option.value);
+  // The lists must live until the arguments have been read.
+  const std::vector<ValueOption> of_build = build_options(command);
+  const std::vector<ValueOption> of_extract = extract_options(command);
+  for (const std::vector<ValueOption>* options : {&of_build, &of_extract}) {
+    for (const ValueOption& option : *options) {
+      app.add_option_function<std::string>(
+             option.name,
+             [&](const std::string& text) {
+               if (fault.empty()) fault = option.set(text);
+             },
+             option.help)
+          ->type_name(option.value);
+    }
   }
   for (const Flag& flag : flags(command)) app.add_flag_callback(flag.name, flag.set, flag.help);
   app.set_version_flag("--version", "kdmanifold " KDM_VERSION, "print the version");
@@ -188,6 +202,15 @@ Command parse_command(int argc, const char* const* argv) {
     throw UsageError(one_line(error.what()) + " (--help lists the options)");
   }
   if (!fault.empty()) throw UsageError(fault);
+  if (!command.save_grid.empty() && !names_a_grid(command.save_grid)) {
+    throw UsageError(fmt::format("--save-grid: '{}' does not end in .kdgrid", command.save_grid));
+  }
+  for (const ValueOption& option : of_build) {
+    if (names_a_grid(command.input) && app.count(option.name) > 0) {
+      throw UsageError(
+          fmt::format("{}: the grid in {} is built already", option.name, command.input));
+    }
+  }
   return command;
 }
 

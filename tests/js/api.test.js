@@ -165,6 +165,26 @@ test('a grid can be extracted from again; results are copies', () => {
   grid.delete();
 });
 
+test('a saved grid comes back', () => {
+  const grid = kdm.buildGrid(torus(), { relativeTolerance: 0.01 });
+  const bytes = grid.save();
+  expect(bytes).toBeInstanceOf(Uint8Array);
+  expect(grid.save()).toEqual(bytes);
+  expect(bytes.length).toBeLessThan(grid.stats.bytes);
+  const shifted = new Uint8Array(bytes.length + 5);
+  shifted.set(bytes, 3);
+  for (const content of [bytes, bytes.buffer, shifted.subarray(3, 3 + bytes.length)]) {
+    const loaded = kdm.loadGrid(content);
+    expect(loaded).toBeInstanceOf(Grid);
+    expect(loaded.input).toEqual(grid.input);
+    expect({ ...loaded.stats, bytes: 0 }).toEqual({ ...grid.stats, bytes: 0 });
+    same(loaded.extract(), grid.extract());
+    expect(loaded.save()).toEqual(bytes);
+    loaded.delete();
+  }
+  grid.delete();
+});
+
 test('delete may be called twice; dispose is delete', () => {
   const grid = kdm.buildGrid(cube());
   grid.delete();
