@@ -9,6 +9,7 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <limits>
 #include <vector>
 
 namespace kdm::cli {
@@ -95,13 +96,18 @@ ValueOption whole_number(const char* name, int low, int high, int& target, const
           }};
 }
 
-ValueOption not_negative(const char* name, const char* letter, double& target, const char* help) {
+constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+
+ValueOption not_negative(const char* name, const char* letter, double& target, const char* help,
+                         double most = kNoLimit) {
   return {name, letter, help, [=, &target](const std::string& text) -> std::string {
             double number = 0;
             const char* const end = text.data() + text.size();
             const auto [rest, error] = fast_float::from_chars(text.data(), end, number);
-            if (error != std::errc() || rest != end || !std::isfinite(number) || number < 0) {
-              return fmt::format("{}: '{}' is no number from 0 on", name, text);
+            if (error != std::errc() || rest != end || !std::isfinite(number) || number < 0 ||
+                number > most) {
+              return fmt::format("{}: '{}' is no number from 0 {}", name, text,
+                                 most < kNoLimit ? fmt::format("to {}", most) : "on");
             }
             target = number;
             return "";
@@ -127,6 +133,8 @@ std::vector<ValueOption> extract_options(Command& command) {
   return {
       not_negative("--split-error", "E", command.extract.split_error,
                    "split vertices further than E from a plane, in model units; 0: features (0)"),
+      not_negative("--crease-angle", "A", command.extract.crease_angle,
+                   "normals differ where faces turn by more, 0 to 180 degrees (30)", 180),
   };
 }
 
@@ -137,6 +145,8 @@ std::vector<Flag> flags(Command& command) {
        [&] { command.extract.unfold = false; }},
       {"--no-strict", "keep double edges and parts without volume",
        [&] { command.extract.strict = false; }},
+      {"--normals", "write normals at the corners of faces (OBJ)",
+       [&] { command.extract.normals = true; }},
       {"--json", "print one JSON report on standard output, nothing else",
        [&] { command.json = true; }},
       {"--check", "verify the output, count crossings; exit status 1 if it is not 2-manifold",

@@ -4,9 +4,12 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <initializer_list>
 #include <new>
 
 #include "extract/dual_mesh.h"
+#include "extract/normals.h"
 #include "extract/place.h"
 #include "extract/split_vertices.h"
 #include "extract/strict.h"
@@ -37,6 +40,16 @@ SplitError split_error(const GridData& grid, const ExtractOptions& options) {
   return SplitError{grid.tolerance, kFeature};
 }
 
+// Cosine of the crease angle.
+double crease_cosine(const ExtractOptions& options) {
+  if (!(options.crease_angle >= 0 && options.crease_angle <= 180)) {
+    throw Error(
+        ErrorCode::kInvalidOption,
+        fmt::format("crease_angle is {}; it must be from 0 to 180 degrees", options.crease_angle));
+  }
+  return cosine_of_degrees(options.crease_angle);
+}
+
 // The half-edge of triangle t across which it makes a quad, or kNone.
 Index quad_diagonal(const DualMesh& mesh, Index t) {
   for (Index i = 0; i < 3; ++i) {
@@ -50,11 +63,22 @@ Index quad_diagonal(const DualMesh& mesh, Index t) {
   return kNone;
 }
 
-void emit(const GridData& grid, const DualMesh& mesh, bool quads, ExtractedMesh& out) {
+// `normals` are those of the half-edges' corners, or none.
+void emit(const GridData& grid, const DualMesh& mesh, bool quads, const std::vector<Vec3>& normals,
+          ExtractedMesh& out) {
   out.positions.reserve(mesh.position.size());
   for (const Vec3& p : mesh.position) out.positions.push_back(grid.lattice.to_model(p));
   const auto source = [&](Index t) { return grid.source_faces[grid.hits[mesh.hit[t]].plane()]; };
   std::vector<Index> quad_sources;
+  std::vector<std::array<float, 3>> quad_normals;
+  const auto add_normals = [&](std::initializer_list<Index> half_edges,
+                               std::vector<std::array<float, 3>>& to) {
+    if (normals.empty()) return;
+    for (const Index h : half_edges) {
+      const Eigen::Vector3f n = normals[h].cast<float>();
+      to.push_back({n[0], n[1], n[2]});
+    }
+  };
   out.triangles.reserve(mesh.triangles());
   out.source_faces.reserve(mesh.triangles());
   for (Index t = 0; t < mesh.triangles(); ++t) {
@@ -63,6 +87,7 @@ void emit(const GridData& grid, const DualMesh& mesh, bool quads, ExtractedMesh&
     if (diagonal == kNone) {
       out.triangles.push_back({mesh.vertex[3 * t], mesh.vertex[3 * t + 1], mesh.vertex[3 * t + 2]});
       out.source_faces.push_back(source(t));
+      add_normals({3 * t, 3 * t + 1, 3 * t + 2}, out.corner_normals);
       continue;
     }
     const Index other = mesh.opposite[diagonal];
@@ -70,8 +95,11 @@ void emit(const GridData& grid, const DualMesh& mesh, bool quads, ExtractedMesh&
     out.quads.push_back({mesh.vertex[diagonal], mesh.vertex[previous_in_triangle(other)],
                          mesh.vertex[other], mesh.vertex[previous_in_triangle(diagonal)]});
     quad_sources.push_back(source(t));
+    add_normals({diagonal, previous_in_triangle(other), other, previous_in_triangle(diagonal)},
+                quad_normals);
   }
   out.source_faces.insert(out.source_faces.end(), quad_sources.begin(), quad_sources.end());
+  out.corner_normals.insert(out.corner_normals.end(), quad_normals.begin(), quad_normals.end());
 }
 
 }  // namespace
@@ -80,6 +108,7 @@ ExtractedMesh extract(const Grid& handle, const ExtractOptions& options,
                       const Progress& progress) try {
   const GridData& grid = handle.data();
   const SplitError error = split_error(grid, options);
+  const double crease = crease_cosine(options);
   report(progress, 0.0, "loops");
   DualMesh mesh = dual_mesh_of(grid);
   if (options.strict) drop_pillows(mesh);
@@ -95,7 +124,9 @@ ExtractedMesh extract(const Grid& handle, const ExtractOptions& options,
   if (options.strict) out.report.inserted_vertices = separate_double_edges(points, mesh);
   if (options.unfold && !options.quads) out.report.flipped_edges = unfold(grid, mesh);
   out.report.dropped_pillows = mesh.dropped_pillows;
-  emit(grid, mesh, options.quads, out);
+  std::vector<Vec3> normals;
+  if (options.normals) normals = corner_normals(grid, mesh, crease);
+  emit(grid, mesh, options.quads, normals, out);
   report(progress, 1.0, "faces");
   return out;
 } catch (const std::bad_alloc&) {

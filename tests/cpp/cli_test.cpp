@@ -119,11 +119,11 @@ TEST_F(Cli, HelpListsTheOptions) {
          ++it) {
       options.insert(it->str());
     }
-    EXPECT_EQ(options,
-              (std::set<std::string>{"--check", "--depth", "--help", "--inside", "--json",
-                                     "--no-strict", "--no-unfold", "--output", "--pairing",
-                                     "--quads", "--relative-tolerance", "--save-grid",
-                                     "--split-error", "--strategy", "--tolerance", "--version"}));
+    EXPECT_EQ(options, (std::set<std::string>{
+                           "--check", "--crease-angle", "--depth", "--help", "--inside", "--json",
+                           "--no-strict", "--no-unfold", "--normals", "--output", "--pairing",
+                           "--quads", "--relative-tolerance", "--save-grid", "--split-error",
+                           "--strategy", "--tolerance", "--version"}));
     EXPECT_NE(outcome.out.find("adaptive|octree|feature|median|uniform"), std::string::npos);
   }
 }
@@ -272,6 +272,23 @@ TEST_F(Cli, ASavedGridIsAsGoodAsItsMesh) {
             std::string::npos);
   std::ofstream(folder_ / "bad.kdgrid") << read("torus.kdgrid").substr(0, 1000);
   EXPECT_NE(complaint("bad.kdgrid -o c.obj").find("bad.kdgrid: byte 28"), std::string::npos);
+}
+
+TEST_F(Cli, NormalsGoIntoObjFiles) {
+  EXPECT_EQ(run("cube.obj -o a.obj" + kCoarse).status, 0);
+  EXPECT_EQ(read("a.obj").find("vn "), std::string::npos);
+  const auto normals = [this](const std::string& options) {
+    EXPECT_EQ(run("cube.obj -o a.obj --normals " + options + kCoarse).status, 0);
+    const std::string text = read("a.obj");
+    EXPECT_TRUE(std::regex_search(text, std::regex("\nf \\d+//\\d+ \\d+//\\d+ \\d+//\\d+\n")));
+    int count = 0;
+    for (std::size_t at = 0; (at = text.find("\nvn ", at)) != std::string::npos; ++at) ++count;
+    return count;
+  };
+  EXPECT_EQ(normals(""), 6);
+  EXPECT_GT(normals("--crease-angle 180"), 6);
+  EXPECT_EQ(complaint("cube.obj --crease-angle 181"),
+            "--crease-angle: '181' is no number from 0 to 180");
 }
 
 TEST_F(Cli, TolerancesDecideHowMuchIsSplit) {

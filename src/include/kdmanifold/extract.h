@@ -24,6 +24,13 @@ struct ExtractOptions {
   /// would share an edge, drop parts without volume. Off: the raw dual surface, whose half-edges
   /// are manifold but whose vertex numbers may not show it.
   bool strict = true;
+  /// Give every corner of the faces a normal for shading, from the input's normals at the hits. The
+  /// mesh stays what it is: vertices on a crease are not doubled.
+  bool normals = false;
+  /// Where the normals of neighbouring faces turn by more than this there is a crease and their
+  /// corners keep different normals; degrees, 0 (all but flat parts) to 180 (no crease at all).
+  /// With `normals` only.
+  double crease_angle = 30;
 };
 
 struct ExtractReport {
