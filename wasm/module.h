@@ -48,6 +48,8 @@ inline ExtractOptions to_extract_options(const val& from) {
   read(from, "splitError", options.split_error);
   read(from, "unfold", options.unfold);
   read(from, "strict", options.strict);
+  read(from, "normals", options.normals);
+  read(from, "creaseAngle", options.crease_angle);
   return options;
 }
 

@@ -113,6 +113,30 @@ test('quads on request, and as many faces in all as source faces', () => {
   expect(faults(mesh)).toEqual([]);
 });
 
+test('normals on request: those of the faces of a cube', () => {
+  expect(convert(cube()).cornerNormals).toBeUndefined();
+  for (const quads of [false, true]) {
+    const mesh = convert(
+      cube(),
+      { strategy: 'uniform', depth: 9 },
+      { normals: true, creaseAngle: 45, quads },
+    );
+    const { cornerNormals } = mesh;
+    expect(cornerNormals).toBeInstanceOf(Float32Array);
+    expect(cornerNormals).toHaveLength(3 * (mesh.indices.length + (mesh.quads?.length ?? 0)));
+    const seen = new Set();
+    for (let i = 0; i < cornerNormals.length; i += 3) {
+      seen.add([...cornerNormals.subarray(i, i + 3)].map((x) => x + 0).join());
+    }
+    expect([...seen].sort()).toEqual(
+      ['1,0,0', '-1,0,0', '0,1,0', '0,-1,0', '0,0,1', '0,0,-1'].sort(),
+    );
+    // They go into OBJ files, and the mesh is still one that can be described.
+    expect(Buffer.from(kdm.formatMesh(mesh, 'obj')).toString().match(/^vn /gm)).toHaveLength(6);
+    expect(kdm.describe(mesh).twoManifold).toBe(true);
+  }
+});
+
 test('without strict nothing is dropped or inserted', () => {
   const mesh = convert(torus(), { strategy: 'uniform', depth: 9 }, { strict: false });
   expect(mesh.report).toMatchObject({ droppedPillows: 0, insertedVertices: 0 });

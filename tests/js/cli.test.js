@@ -33,6 +33,7 @@ const optionSets = [
   ['--strategy', 'octree', '--depth', '15'],
   ['--strategy', 'median', '--depth', '15', '--inside', 'nonzero'],
   ['--strategy', 'uniform', '--depth', '12', '--quads', '--pairing', 'hermite'],
+  ['--strategy', 'octree', '--depth', '12', '--normals', '--crease-angle', '40'],
   ['--strategy', 'uniform', '--depth', '9', '--no-strict', '--inside', 'odd'],
 ];
 
@@ -160,6 +161,7 @@ const wrong = [
   [['a.obj', '-o', 'out.step'], /out\.step/],
   [['a.obj', '-o', 'no/such/folder/out.obj'], /no\/such\/folder/],
   [['a.obj', '--depth'], /--depth/],
+  [['a.obj', '--crease-angle', '180.5'], /--crease-angle: '180\.5' is no number from 0 to 180/],
   [['a.obj', '--save-grid', 'grid.obj'], /--save-grid: 'grid\.obj' does not end in \.kdgrid/],
   [['a.kdgrid', '--pairing', 'trace', '--depth=9'], /--depth: the grid in a\.kdgrid is built/],
   [['no.kdgrid'], /no\.kdgrid: cannot be/],
@@ -202,7 +204,7 @@ test('a saved grid is the same file from both, and is read by both', () =>
     expect(saved[1].equals(saved[0])).toBe(true);
     const direct = readFileSync(join(folder, 'native.ply'));
     // Each reads what the other has written.
-    const loaded = programs.map(([name, run], i) => {
+    const loaded = programs.map(([, run], i) => {
       const other = programs[1 - i][0];
       const result = run([`${other}.kdgrid`, '-o', 'again.ply', '--check'], { cwd: folder });
       expect(result).toMatchObject({ status: 0, stderr: '' });

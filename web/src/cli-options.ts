@@ -109,9 +109,13 @@ function readValue(name: string, spec: OptionSpec, text: string): string | numbe
     case 'integer':
       if (/^\d+$/.test(text) && value >= spec.min && value <= spec.max) return value;
       return usageError(`--${name}: '${text}' is no whole number from ${spec.min} to ${spec.max}`);
-    default:
-      if (/^(\d|\.\d)/.test(text) && Number.isFinite(value)) return value;
-      return usageError(`--${name}: '${text}' is no number from 0 on`);
+    case 'number':
+      if (/^(\d|\.\d)/.test(text) && value <= (spec.max ?? Number.MAX_VALUE)) return value;
+      return usageError(
+        `--${name}: '${text}' is no number from 0 ${spec.max === undefined ? 'on' : `to ${spec.max}`}`,
+      );
+    case 'flag':
+      return usageError(`--${name} takes no value`);
   }
 }
 
