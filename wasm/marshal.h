@@ -46,8 +46,8 @@ inline std::size_t length(const val& array) { return array["length"].as<std::siz
 
 inline bool present(const val& value) { return !value.isUndefined() && !value.isNull(); }
 
-/// {positions, indices?, quads?, sourceFaces?, cornerNormals?}; without indices every three positions are a
-/// triangle.
+/// {positions, indices?, quads?, sourceFaces?, cornerNormals?}; without indices every three
+/// positions are a triangle.
 inline Mesh to_mesh(const val& from) {
   Mesh mesh;
   const val positions = from["positions"];

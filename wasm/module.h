@@ -26,6 +26,8 @@ inline constexpr std::array<Named<Pairing>, 4> kPairings = {{{"trace", Pairing::
                                                              {"hermite", Pairing::kHermite},
                                                              {"inside", Pairing::kInside},
                                                              {"outside", Pairing::kOutside}}};
+inline constexpr std::array<Named<VertexPosition>, 2> kPositions = {
+    {{"constrained", VertexPosition::kConstrained}, {"projection", VertexPosition::kProjection}}};
 inline constexpr std::array<Named<MeshFormat>, 4> kFormats = {{{"obj", MeshFormat::kObj},
                                                                {"stl", MeshFormat::kStl},
                                                                {"ply", MeshFormat::kPly},
@@ -46,6 +48,7 @@ inline ExtractOptions to_extract_options(const val& from) {
   ExtractOptions options;
   read(from, "quads", options.quads);
   read(from, "splitError", options.split_error);
+  read(from, "position", options.position, kPositions);
   read(from, "unfold", options.unfold);
   read(from, "strict", options.strict);
   read(from, "normals", options.normals);

@@ -34,6 +34,9 @@ constexpr Word<Pairing> kPairings[] = {{"trace", Pairing::kTrace},
                                        {"inside", Pairing::kInside},
                                        {"outside", Pairing::kOutside}};
 
+constexpr Word<VertexPosition> kPositions[] = {{"constrained", VertexPosition::kConstrained},
+                                               {"projection", VertexPosition::kProjection}};
+
 template <typename Value, std::size_t kCount>
 const char* find_word(const Word<Value> (&words)[kCount], Value value) {
   for (const Word<Value>& word : words) {
@@ -133,6 +136,8 @@ std::vector<ValueOption> extract_options(Command& command) {
   return {
       not_negative("--split-error", "E", command.extract.split_error,
                    "split vertices further than E from a plane, in model units; 0: features (0)"),
+      choice("--position", kPositions, command.extract.position,
+             "how vertices are kept within their cells"),
       not_negative("--crease-angle", "A", command.extract.crease_angle,
                    "normals differ where faces turn by more, 0 to 180 degrees (30)", 180),
   };

@@ -116,10 +116,11 @@ ExtractedMesh extract(const Grid& handle, const ExtractOptions& options,
   report(progress, 0.4, "vertices");
   const std::vector<LatticeBox> boxes = cell_boxes(grid);
   const std::vector<Vec3> points = hit_points(grid, boxes);
-  const std::vector<Index> off = place_vertices(grid, boxes, points, error, mesh);
+  const std::vector<Index> off = place_vertices(grid, boxes, points, error, options.position, mesh);
   ExtractedMesh out;
   report(progress, 0.7, "vertices");
-  out.report.split_vertices = split_vertices(grid, boxes, points, error, off, mesh);
+  out.report.split_vertices =
+      split_vertices(grid, boxes, points, error, options.position, off, mesh);
   report(progress, 0.8, "faces");
   if (options.strict) out.report.inserted_vertices = separate_double_edges(points, mesh);
   if (options.unfold && !options.quads) out.report.flipped_edges = unfold(grid, mesh);

@@ -122,8 +122,8 @@ TEST_F(Cli, HelpListsTheOptions) {
     EXPECT_EQ(options, (std::set<std::string>{
                            "--check", "--crease-angle", "--depth", "--help", "--inside", "--json",
                            "--no-strict", "--no-unfold", "--normals", "--output", "--pairing",
-                           "--quads", "--relative-tolerance", "--save-grid", "--split-error",
-                           "--strategy", "--tolerance", "--version"}));
+                           "--position", "--quads", "--relative-tolerance", "--save-grid",
+                           "--split-error", "--strategy", "--tolerance", "--version"}));
     EXPECT_NE(outcome.out.find("adaptive|octree|feature|median|uniform"), std::string::npos);
   }
 }
@@ -272,6 +272,19 @@ TEST_F(Cli, ASavedGridIsAsGoodAsItsMesh) {
             std::string::npos);
   std::ofstream(folder_ / "bad.kdgrid") << read("torus.kdgrid").substr(0, 1000);
   EXPECT_NE(complaint("bad.kdgrid -o c.obj").find("bad.kdgrid: byte 28"), std::string::npos);
+}
+
+TEST_F(Cli, PositionsDifferWhereVerticesLeaveTheirCells) {
+  write("turned.obj", shapes::rotated(shapes::cube(), {1, 2, 3}, 1));
+  const auto volume = [this](const std::string& options) {
+    const Json json = report("turned.obj --split-error 9" + options + kCoarse);
+    EXPECT_EQ(json["output"]["twoManifold"], true);
+    return json["output"]["volume"].get<double>();
+  };
+  EXPECT_EQ(volume(""), volume(" --position constrained"));
+  EXPECT_NE(volume(""), volume(" --position projection"));
+  EXPECT_EQ(complaint("cube.obj --position best"),
+            "--position: 'best' is none of constrained, projection");
 }
 
 TEST_F(Cli, NormalsGoIntoObjFiles) {

@@ -137,6 +137,11 @@ test('normals on request: those of the faces of a cube', () => {
   }
 });
 
+test.each(['constrained', 'projection'])('position %s', (position) => {
+  const mesh = convert(torus(), { strategy: 'uniform', depth: 9 }, { position });
+  expect(faults(mesh)).toEqual([]);
+});
+
 test('without strict nothing is dropped or inserted', () => {
   const mesh = convert(torus(), { strategy: 'uniform', depth: 9 }, { strict: false });
   expect(mesh.report).toMatchObject({ droppedPillows: 0, insertedVertices: 0 });

@@ -62,6 +62,12 @@ export const extractOptions: Table<ExtractOptions> = {
     default: 0,
     help: 'split vertices further than this from a plane, in model units; 0: features',
   },
+  position: {
+    kind: 'choice',
+    values: ['constrained', 'projection'],
+    default: 'constrained',
+    help: 'how vertices are kept within their cells',
+  },
   quads: { kind: 'flag', default: false, help: 'write quads where four leaves meet' },
   unfold: { kind: 'flag', default: true, help: 'flip edges of triangles that are folded over' },
   strict: { kind: 'flag', default: true, help: 'make the index mesh 2-manifold' },

@@ -110,6 +110,12 @@ export interface ExtractOptions {
    */
   splitError?: number;
   /**
+   * Where a vertex goes if the best place for it lies outside of its cell:
+   * - `constrained` (default): to the best place within the cell
+   * - `projection`: to the point of the cell that is nearest to the best place
+   */
+  position?: 'constrained' | 'projection';
+  /**
    * Flip edges of triangles that are folded over their neighbours, where that lays them flat (default
    * true). Takes away most self-intersections. Not with `quads`.
    */

@@ -8,6 +8,12 @@
 
 namespace kdm {
 
+/// Where a vertex goes if the best place for it lies outside of its leaf (paper 2.2.1).
+enum class VertexPosition {
+  kConstrained,  ///< where the squared distances to its planes are least within the leaf (default)
+  kProjection    ///< to the point of the leaf that is nearest to the best place
+};
+
 struct ExtractOptions {
   /// Join the two triangles of an edge where four leaves meet to one quad (all of them on a
   /// uniform grid). Quads need not be planar.
@@ -17,6 +23,8 @@ struct ExtractOptions {
   /// never. 0: where they are further off than the grid's tolerance and 0.3 times the way to the
   /// furthest of their hits, but never with `quads`.
   double split_error = 0;
+  /// How vertices are kept within their leaves.
+  VertexPosition position = VertexPosition::kConstrained;
   /// Flip edges of triangles that are folded over their neighbours, where that lays them flat.
   /// Takes away most self-intersections. Not with `quads`.
   bool unfold = true;
