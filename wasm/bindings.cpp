@@ -8,9 +8,11 @@ EMSCRIPTEN_BINDINGS(kdmanifold) {
   using namespace emscripten;
   class_<kdm::Grid>("Grid")
       .function("extract", &kdm::wasm::extract)
+      .function("save", &kdm::wasm::save_grid)
       .function("stats", &kdm::wasm::grid_stats)
       .function("input", &kdm::wasm::grid_input);
   function("buildGrid", &kdm::wasm::build_grid);
+  function("loadGrid", &kdm::wasm::load_grid);
   function("parseMesh", &kdm::wasm::parse_mesh);
   function("formatMesh", &kdm::wasm::format_mesh);
   function("describe", &kdm::wasm::describe);

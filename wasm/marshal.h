@@ -25,6 +25,7 @@ using emscripten::val;
 
 // A mesh's arrays are read and written as runs of plain numbers.
 static_assert(sizeof(Vec3) == 3 * sizeof(double));
+static_assert(sizeof(std::array<float, 3>) == 3 * sizeof(float));
 static_assert(sizeof(Triangle) == 3 * sizeof(Index) && sizeof(Quad) == 4 * sizeof(Index));
 
 /// Copies a typed array of any kind into `to`, which has room for `count` numbers. The view is
@@ -45,8 +46,8 @@ inline std::size_t length(const val& array) { return array["length"].as<std::siz
 
 inline bool present(const val& value) { return !value.isUndefined() && !value.isNull(); }
 
-/// {positions, indices?, quads?, sourceFaces?}; without indices every three positions are a
-/// triangle.
+/// {positions, indices?, quads?, sourceFaces?, cornerNormals?}; without indices every three
+/// positions are a triangle.
 inline Mesh to_mesh(const val& from) {
   Mesh mesh;
   const val positions = from["positions"];
@@ -72,6 +73,12 @@ inline Mesh to_mesh(const val& from) {
     mesh.source_faces.resize(length(source_faces));
     copy_in(source_faces, mesh.source_faces.size(), mesh.source_faces.data());
   }
+  const val corner_normals = from["cornerNormals"];
+  if (present(corner_normals)) {
+    mesh.corner_normals.resize(length(corner_normals) / 3);
+    copy_in(corner_normals, mesh.corner_normals.size() * 3,
+            reinterpret_cast<float*>(mesh.corner_normals.data()));
+  }
   return mesh;
 }
 
@@ -88,6 +95,10 @@ inline val from_mesh(const Mesh& mesh, const char* real) {
   }
   to.set("sourceFaces",
          copy_out("Uint32Array", mesh.source_faces.size(), mesh.source_faces.data()));
+  if (!mesh.corner_normals.empty()) {
+    to.set("cornerNormals", copy_out("Float32Array", mesh.corner_normals.size() * 3,
+                                     reinterpret_cast<const float*>(mesh.corner_normals.data())));
+  }
   return to;
 }
 

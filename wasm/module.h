@@ -28,6 +28,8 @@ inline constexpr std::array<Named<Pairing>, 4> kPairings = {{{"trace", Pairing::
                                                              {"outside", Pairing::kOutside}}};
 inline constexpr std::array<Named<Strict>, 3> kStrict = {
     {{"off", Strict::kOff}, {"manifold", Strict::kManifold}, {"embedded", Strict::kEmbedded}}};
+inline constexpr std::array<Named<VertexPosition>, 2> kPositions = {
+    {{"constrained", VertexPosition::kConstrained}, {"projection", VertexPosition::kProjection}}};
 inline constexpr std::array<Named<MeshFormat>, 4> kFormats = {{{"obj", MeshFormat::kObj},
                                                                {"stl", MeshFormat::kStl},
                                                                {"ply", MeshFormat::kPly},
@@ -48,9 +50,12 @@ inline ExtractOptions to_extract_options(const val& from) {
   ExtractOptions options;
   read(from, "quads", options.quads);
   read(from, "splitError", options.split_error);
+  read(from, "position", options.position, kPositions);
   read(from, "unfold", options.unfold);
   read(from, "linkError", options.link_error);
   read(from, "strict", options.strict, kStrict);
+  read(from, "normals", options.normals);
+  read(from, "creaseAngle", options.crease_angle);
   return options;
 }
 
@@ -115,6 +120,21 @@ inline val from_mesh_report(const MeshReport& report) {
 inline val build_grid(val mesh, val options, val progress) {
   return guard([&] {
     return val(kdm::build_grid(to_mesh(mesh), to_build_options(options), to_progress(progress)));
+  });
+}
+
+inline val load_grid(val bytes, std::string name) {
+  return guard([&] {
+    const std::string copy = to_bytes(bytes);
+    return val(
+        kdm::load_grid({reinterpret_cast<const std::uint8_t*>(copy.data()), copy.size()}, name));
+  });
+}
+
+inline val save_grid(const Grid& grid) {
+  return guard([&] {
+    const std::vector<std::uint8_t> bytes = kdm::save_grid(grid);
+    return copy_out("Uint8Array", bytes.size(), bytes.data());
   });
 }
 

@@ -14,7 +14,6 @@
 namespace kdm {
 namespace {
 
-constexpr int kMaxDepth = 3 * kLatticeBits;
 constexpr double kUsualTolerance = BuildOptions().relative_tolerance;
 
 void check_options(const BuildOptions& options) {

@@ -60,7 +60,7 @@ class Construction {
     grid_.cells.shrink_to_fit();
     grid_.edge_begin.shrink_to_fit();
     grid_.hits.shrink_to_fit();
-    mark_active_sides();
+    mark_active_sides(grid_);
   }
 
  private:
@@ -198,29 +198,6 @@ class Construction {
       grid_.edge_begin[edge] = kept;
     }
     grid_.hits.resize(kept);
-  }
-
-  void mark_active_sides() {
-    for (std::size_t c = grid_.cells.size(); c-- > 0;) {
-      Cell& cell = grid_.cells[c];
-      if (cell.leaf()) continue;
-      const Cell& below = grid_.cells[cell.below()];
-      const Cell& above = grid_.cells[cell.above()];
-      for (int axis = 0; axis < 3; ++axis) {
-        for (const bool high : {false, true}) {
-          bool active = false;
-          if (axis == cell.axis()) {
-            active = (high ? above : below).active(axis, high);
-          } else {
-            const Index edge =
-                4 * cell.split() + static_cast<Index>(edge_on_side(cell.axis(), axis, high));
-            active = below.active(axis, high) || above.active(axis, high) ||
-                     grid_.edge_begin[edge] != grid_.edge_begin[edge + 1];
-          }
-          if (active) cell.set_active(axis, high);
-        }
-      }
-    }
   }
 
   void report_progress(double fraction) {

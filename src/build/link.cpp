@@ -2,12 +2,14 @@
 // Pairing half-edges across minimal faces (paper 2.1).
 //
 // Two hits are linked. With more, several pairings are manifold in the sense of half-edges; which
-// one is right is geometry. On a solid's outline entering and leaving hits alternate, and every
-// pairing made here joins hits with an even number of others between them, without crossings.
+// one is right is geometry. Every pairing made here joins half-edges that run against each other,
+// without crossings. On a solid's outline entering and leaving hits alternate; that is not needed,
+// as long as there are as many of both.
 #include "build/link.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "build/matching.h"
@@ -43,8 +45,11 @@ class Linking {
     }
     collect(face);
     const auto count = static_cast<Index>(outline_.size());
-    if (count % 2 != 0) {  // checked in release builds too: nothing sound can follow
-      throw Error(ErrorCode::kInternal, "an odd number of hits lies round a minimal face");
+    const auto one_way = std::count_if(outline_.begin(), outline_.end(),
+                                       [](const OutlineHit& h) { return h.starts_below; });
+    // Checked in release builds too: nothing sound can follow.
+    if (2 * one_way != count) {
+      throw Error(ErrorCode::kInternal, "hits round a minimal face have no partners");
     }
     if (count == 2) {
       link(face, outline_[0], outline_[1], 0);
@@ -75,16 +80,11 @@ class Linking {
             side == 0 || side == 1};
   }
 
-  // Counter-clockwise: sides 0 and 1 upwards, sides 2 and 3 downwards.
   void collect(const MinimalFace& face) {
     outline_.clear();
-    for (int side = 0; side < 4; ++side) {
-      const FaceEdge& edge = face.edges[side];
-      for (Index i = 0; i < edge.size(); ++i) {
-        const Index hit = side < 2 ? edge.begin + i : edge.end - 1 - i;
-        outline_.push_back(outline_hit(edge, hit, side));
-      }
-    }
+    for_each_hit(face, [&](const FaceEdge& edge, Index hit, int side) {
+      outline_.push_back(outline_hit(edge, hit, side));
+    });
   }
 
   void link(const MinimalFace& face, const OutlineHit& a, const OutlineHit& b,
@@ -99,7 +99,7 @@ class Linking {
   std::vector<Index> pair(const MinimalFace& face, Index count) {
     if (pairing_ == Pairing::kInside || pairing_ == Pairing::kOutside || count > kMatchingLimit) {
       grid_.stats.guessed_faces += pairing_ == Pairing::kTrace ? 1 : 0;
-      return pair_neighbours(count, pairing_ != Pairing::kOutside);
+      return pair_neighbours(pairing_ != Pairing::kOutside);
     }
     std::vector<Index> traced(count, kNone);
     if (pairing_ == Pairing::kTrace) trace(face, traced);
@@ -107,6 +107,7 @@ class Linking {
     // Traced pairs cost nothing; to part one costs more than any deviation.
     constexpr double kParting = 1e30;
     const std::vector<Index> partner = match_without_crossings(count, [&](Index i, Index j) {
+      if (!fit(i, j)) return std::numeric_limits<double>::infinity();
       if (traced[i] == j) return 0.0;
       if (traced[i] != kNone || traced[j] != kNone) return kParting;
       return deviation(i, j);
@@ -116,20 +117,18 @@ class Linking {
   }
 
   // Paper 2.1: links consecutive hits, those at the ends of inside (or outside) stretches.
-  std::vector<Index> pair_neighbours(Index count, bool inside) const {
-    // The outline enters the solid at an ascending hit that does not lead out, and the like.
-    const OutlineHit& first = outline_[0];
-    const bool enters = grid_.hits[first.hit].leaving() != first.ascending;
-    const Index offset = enters == inside ? 0 : 1;
-    std::vector<Index> partner(count);
-    for (Index i = 0; i < count; i += 2) {
-      const Index a = (i + offset) % count;
-      const Index b = (i + offset + 1) % count;
-      partner[a] = b;
-      partner[b] = a;
+  std::vector<Index> pair_neighbours(bool inside) const {
+    std::vector<bool> opens;
+    for (const OutlineHit& h : outline_) {
+      // The outline enters the solid at an ascending hit that does not lead out, and the like.
+      const bool enters = grid_.hits[h.hit].leaving() != h.ascending;
+      opens.push_back(enters == inside);
     }
-    return partner;
+    return match_brackets(opens);
   }
+
+  // Do the half-edges run against each other? On a solid's outline every other one does.
+  bool fit(Index i, Index j) const { return outline_[i].starts_below != outline_[j].starts_below; }
 
   // Keeps what both ends agree upon.
   void trace(const MinimalFace& face, std::vector<Index>& traced) {
@@ -145,7 +144,7 @@ class Linking {
     const std::vector<Index> found = traced;
     for (Index i = 0; i < traced.size(); ++i) {
       const Index j = found[i];
-      const bool mutual = j != kNone && found[j] == i && (i + j) % 2 == 1;
+      const bool mutual = j != kNone && found[j] == i && fit(i, j);
       if (!mutual) traced[i] = kNone;
     }
   }

@@ -46,4 +46,33 @@ std::vector<Index> match_without_crossings(Index count,
   return partner;
 }
 
+std::vector<Index> match_brackets(const std::vector<bool>& opens) {
+  const auto count = static_cast<Index>(opens.size());
+  // Read from the point of least depth on, no bracket closes before it has opened.
+  Index first = 0;
+  int depth = 0;
+  int least = 0;
+  for (Index i = 0; i < count; ++i) {
+    depth += opens[i] ? 1 : -1;
+    if (depth < least) {
+      least = depth;
+      first = i + 1;
+    }
+  }
+  KDM_ASSERT(depth == 0, "as many hits lead one way across a minimal face as the other");
+  std::vector<Index> partner(count, kNone);
+  std::vector<Index> open;
+  for (Index n = 0; n < count; ++n) {
+    const Index i = (first + n) % count;
+    if (opens[i]) {
+      open.push_back(i);
+      continue;
+    }
+    partner[i] = open.back();
+    partner[open.back()] = i;
+    open.pop_back();
+  }
+  return partner;
+}
+
 }  // namespace kdm

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The cheapest non-crossing pairing of points on a circle.
+// Non-crossing pairings of points on a circle: the cheapest, and that of brackets.
 #pragma once
 
 #include <functional>
@@ -11,8 +11,14 @@ namespace kdm {
 
 /// Pairs 0 .. count-1, given in cyclic order, without crossings, so that every pair has an even
 /// number of points between them and the sum of `cost(i, j)`, i < j, is least. `count` is even.
-/// Returns each point's partner. Cubic time.
+/// Pairs of infinite cost are made only if nothing else is left. Returns each point's partner.
+/// Cubic time.
 std::vector<Index> match_without_crossings(Index count,
                                            const std::function<double(Index, Index)>& cost);
+
+/// Pairs every point that opens with the one that closes, as brackets round the circle; as many
+/// open as close. Where they alternate, neighbours are paired. Returns each point's partner. Linear
+/// time.
+std::vector<Index> match_brackets(const std::vector<bool>& opens);
 
 }  // namespace kdm

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The native command line: read, build, extract, write, report. Exit status 0: done; 1: --check
-// found the output not 2-manifold; 2: bad input or option, one line on standard error.
+// The native command line: read, build (or load), extract, write, report. Exit status 0: done; 1:
+// --check found the output not 2-manifold; 2: bad input or option, one line on standard error.
 #include <sys/resource.h>
 
 #include <chrono>
@@ -56,17 +56,22 @@ int run(const Command& command) {
 
   RunReport report;
   Stopwatch watch;
-  const Mesh mesh = read_mesh(command.input);
-  report.seconds.read = watch.lap();
-  const Grid grid = build_grid(mesh, command.build);
-  report.seconds.build = watch.lap();
+  Grid grid;
+  if (names_a_grid(command.input)) {
+    grid = read_grid(command.input);
+    report.seconds.read = watch.lap();
+  } else {
+    const Mesh mesh = read_mesh(command.input);
+    report.seconds.read = watch.lap();
+    grid = build_grid(mesh, command.build);
+    report.seconds.build = watch.lap();
+  }
   ExtractedMesh result = extract(grid, command.extract);
   round_to_single(result);
   report.seconds.extract = watch.lap();
-  if (!command.output.empty()) {
-    write_mesh(command.output, result);
-    report.seconds.write = watch.lap();
-  }
+  if (!command.output.empty()) write_mesh(command.output, result);
+  if (!command.save_grid.empty()) write_grid(command.save_grid, grid);
+  report.seconds.write = watch.lap();
   report.input = grid.input();
   report.grid = grid.stats();
   report.output = describe(result);

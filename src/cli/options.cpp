@@ -9,6 +9,7 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <limits>
 #include <vector>
 
 namespace kdm::cli {
@@ -34,6 +35,9 @@ constexpr Word<Pairing> kPairings[] = {{"trace", Pairing::kTrace},
                                        {"hermite", Pairing::kHermite},
                                        {"inside", Pairing::kInside},
                                        {"outside", Pairing::kOutside}};
+
+constexpr Word<VertexPosition> kPositions[] = {{"constrained", VertexPosition::kConstrained},
+                                               {"projection", VertexPosition::kProjection}};
 
 template <typename Value, std::size_t kCount>
 const char* find_word(const Word<Value> (&words)[kCount], Value value) {
@@ -97,20 +101,26 @@ ValueOption whole_number(const char* name, int low, int high, int& target, const
           }};
 }
 
-ValueOption not_negative(const char* name, const char* letter, double& target, const char* help) {
+constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+
+ValueOption not_negative(const char* name, const char* letter, double& target, const char* help,
+                         double most = kNoLimit) {
   return {name, letter, help, [=, &target](const std::string& text) -> std::string {
             double number = 0;
             const char* const end = text.data() + text.size();
             const auto [rest, error] = fast_float::from_chars(text.data(), end, number);
-            if (error != std::errc() || rest != end || !std::isfinite(number) || number < 0) {
-              return fmt::format("{}: '{}' is no number from 0 on", name, text);
+            if (error != std::errc() || rest != end || !std::isfinite(number) || number < 0 ||
+                number > most) {
+              return fmt::format("{}: '{}' is no number from 0 {}", name, text,
+                                 most < kNoLimit ? fmt::format("to {}", most) : "on");
             }
             target = number;
             return "";
           }};
 }
 
-std::vector<ValueOption> value_options(Command& command) {
+// What has no effect on a grid that is loaded.
+std::vector<ValueOption> build_options(Command& command) {
   return {
       choice("--strategy", kStrategies, command.build.strategy, "how cells are split"),
       not_negative("--tolerance", "T", command.build.tolerance,
@@ -121,6 +131,11 @@ std::vector<ValueOption> value_options(Command& command) {
       choice("--inside", kInsideRules, command.build.inside, "which winding numbers are inside"),
       choice("--pairing", kPairings, command.build.pairing,
              "how hits are linked where a face has more than two"),
+  };
+}
+
+std::vector<ValueOption> extract_options(Command& command) {
+  return {
       choice("--strict", kStrict, command.extract.strict,
              "what the index mesh must be; embedded: nothing crosses, 32-bit coordinates"),
       not_negative("--link-error", "E", command.extract.link_error,
@@ -128,6 +143,10 @@ std::vector<ValueOption> value_options(Command& command) {
                    "model units; 0: the tolerance (0)"),
       not_negative("--split-error", "E", command.extract.split_error,
                    "split vertices further than E from a plane, in model units; 0: features (0)"),
+      choice("--position", kPositions, command.extract.position,
+             "how vertices are kept within their cells"),
+      not_negative("--crease-angle", "A", command.extract.crease_angle,
+                   "normals differ where faces turn by more, 0 to 180 degrees (30)", 180),
   };
 }
 
@@ -138,6 +157,8 @@ std::vector<Flag> flags(Command& command) {
        [&] { command.extract.unfold = false; }},
       {"--no-strict", "keep double edges and parts without volume, as --strict off",
        [&] { command.extract.strict = Strict::kOff; }},
+      {"--normals", "write normals at the corners of faces (OBJ)",
+       [&] { command.extract.normals = true; }},
       {"--json", "print one JSON report on standard output, nothing else",
        [&] { command.json = true; }},
       {"--check", "verify the output, count crossings; exit status 1 if it is not 2-manifold",
@@ -162,22 +183,30 @@ Command parse_command(int argc, const char* const* argv) {
   Command command;
   CLI::App app(
       "Makes a closed, oriented 2-manifold mesh of a closed mesh.\n"
-      "Formats by extension: OBJ, STL, PLY, OFF.\n",
+      "Formats by extension: OBJ, STL, PLY, OFF; saved grids: .kdgrid.\n",
       "kdmanifold");
-  app.add_option("INPUT", command.input, "the mesh to convert")->required()->type_name("");
+  app.add_option("INPUT", command.input, "the mesh to convert, or a saved grid")
+      ->required()
+      ->type_name("");
   app.add_option("-o,--output", command.output, "where the result goes")->type_name("FILE");
+  app.add_option("--save-grid", command.save_grid,
+                 "where the grid goes, to be INPUT another time (.kdgrid)")
+      ->type_name("FILE");
   // Not by CLI11's validators, which wrap messages of their own around ours.
   std::string fault;
-  // The list must live until the arguments have been read.
-  const std::vector<ValueOption> values = value_options(command);
-  for (const ValueOption& option : values) {
-    app.add_option_function<std::string>(
-           option.name,
-           [&](const std::string& text) {
-             if (fault.empty()) fault = option.set(text);
-           },
-           option.help)
-        ->type_name(option.value);
+  // The lists must live until the arguments have been read.
+  const std::vector<ValueOption> of_build = build_options(command);
+  const std::vector<ValueOption> of_extract = extract_options(command);
+  for (const std::vector<ValueOption>* options : {&of_build, &of_extract}) {
+    for (const ValueOption& option : *options) {
+      app.add_option_function<std::string>(
+             option.name,
+             [&](const std::string& text) {
+               if (fault.empty()) fault = option.set(text);
+             },
+             option.help)
+          ->type_name(option.value);
+    }
   }
   for (const Flag& flag : flags(command)) app.add_flag_callback(flag.name, flag.set, flag.help);
   app.set_version_flag("--version", "kdmanifold " KDM_VERSION, "print the version");
@@ -195,6 +224,15 @@ Command parse_command(int argc, const char* const* argv) {
     throw UsageError(one_line(error.what()) + " (--help lists the options)");
   }
   if (!fault.empty()) throw UsageError(fault);
+  if (!command.save_grid.empty() && !names_a_grid(command.save_grid)) {
+    throw UsageError(fmt::format("--save-grid: '{}' does not end in .kdgrid", command.save_grid));
+  }
+  for (const ValueOption& option : of_build) {
+    if (names_a_grid(command.input) && app.count(option.name) > 0) {
+      throw UsageError(
+          fmt::format("{}: the grid in {} is built already", option.name, command.input));
+    }
+  }
   return command;
 }
 

@@ -13,7 +13,8 @@ namespace kdm::cli {
 /// What the command line asks for.
 struct Command {
   std::string input;
-  std::string output;  ///< empty: none is written
+  std::string output;     ///< empty: none is written
+  std::string save_grid;  ///< where the grid goes; empty: nowhere
   BuildOptions build;
   ExtractOptions extract;
   bool json = false;   ///< print the report as JSON

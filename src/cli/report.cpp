@@ -90,6 +90,10 @@ std::string check_text(const MeshReport& output, std::uint64_t self_intersection
       output.non_manifold_vertices, output.degenerate_faces, output.duplicate_faces);
 }
 
+bool writes(const Command& command) {
+  return !command.output.empty() || !command.save_grid.empty();
+}
+
 }  // namespace
 
 std::string report_as_json(const RunReport& report, const Command& command) {
@@ -103,7 +107,7 @@ std::string report_as_json(const RunReport& report, const Command& command) {
   json["seconds"] = {{"read", report.seconds.read},
                      {"build", report.seconds.build},
                      {"extract", report.seconds.extract}};
-  if (!command.output.empty()) json["seconds"]["write"] = report.seconds.write;
+  if (writes(command)) json["seconds"]["write"] = report.seconds.write;
   json["peakBytes"] = report.peak_bytes;
   return json.dump(2) + "\n";
 }
@@ -120,8 +124,9 @@ std::string report_as_text(const RunReport& report, const Command& command) {
                         input.degenerate_faces, input.cancelled_faces);
   }
   text += fmt::format("grid     {}, depth {}: {} cells, {} hits, {:.1f} MB{}\n",
-                      word_of(command.build.strategy), grid.depth, grid.cells, grid.hits,
-                      static_cast<double>(grid.bytes) / 1e6, topology_text(grid));
+                      names_a_grid(command.input) ? "loaded" : word_of(command.build.strategy),
+                      grid.depth, grid.cells, grid.hits, static_cast<double>(grid.bytes) / 1e6,
+                      topology_text(grid));
   text += fmt::format("output   {}{}{} vertices, {}, {} parts, Euler characteristic {}, {}\n",
                       command.output, command.output.empty() ? "" : ": ", output.vertices,
                       faces_text(output.triangles, output.quads), output.components,
@@ -130,7 +135,7 @@ std::string report_as_text(const RunReport& report, const Command& command) {
   if (command.check) text += check_text(output, report.self_intersections);
   text += fmt::format("seconds  read {:.3f}, build {:.3f}, extract {:.3f}", report.seconds.read,
                       report.seconds.build, report.seconds.extract);
-  if (!command.output.empty()) text += fmt::format(", write {:.3f}", report.seconds.write);
+  if (writes(command)) text += fmt::format(", write {:.3f}", report.seconds.write);
   text += '\n';
   return text;
 }

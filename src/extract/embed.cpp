@@ -26,7 +26,7 @@ class Search {
     for (Index t = 0; t < mesh.triangles(); ++t) {
       if (!mesh.dropped(t)) numbers.push_back(t);
     }
-    const Mesh out = emit(grid_, mesh, false, true);
+    const Mesh out = emit(grid_, mesh, {}, false, true);
     const SelfIntersections found = find_self_intersections(out);
     crossings = found.pairs;
     std::vector<Index> faulty;

@@ -2,6 +2,9 @@
 // From the dual mesh to the mesh that is handed out.
 #include "extract/emit.h"
 
+#include <array>
+#include <initializer_list>
+
 namespace kdm {
 namespace {
 
@@ -20,7 +23,8 @@ Index quad_diagonal(const DualMesh& mesh, Index t) {
 
 }  // namespace
 
-Mesh emit(const GridData& grid, const DualMesh& mesh, bool quads, bool single) {
+Mesh emit(const GridData& grid, const DualMesh& mesh, const std::vector<Vec3>& normals, bool quads,
+          bool single) {
   Mesh out;
   out.positions.reserve(mesh.position.size());
   for (const Vec3& p : mesh.position) {
@@ -29,6 +33,15 @@ Mesh emit(const GridData& grid, const DualMesh& mesh, bool quads, bool single) {
   }
   const auto source = [&](Index t) { return grid.source_faces[grid.hits[mesh.hit[t]].plane()]; };
   std::vector<Index> quad_sources;
+  std::vector<std::array<float, 3>> quad_normals;
+  const auto add_normals = [&](std::initializer_list<Index> half_edges,
+                               std::vector<std::array<float, 3>>& to) {
+    if (normals.empty()) return;
+    for (const Index h : half_edges) {
+      const Eigen::Vector3f n = normals[h].cast<float>();
+      to.push_back({n[0], n[1], n[2]});
+    }
+  };
   out.triangles.reserve(mesh.triangles());
   out.source_faces.reserve(mesh.triangles());
   for (Index t = 0; t < mesh.triangles(); ++t) {
@@ -37,6 +50,7 @@ Mesh emit(const GridData& grid, const DualMesh& mesh, bool quads, bool single) {
     if (diagonal == kNone) {
       out.triangles.push_back({mesh.vertex[3 * t], mesh.vertex[3 * t + 1], mesh.vertex[3 * t + 2]});
       out.source_faces.push_back(source(t));
+      add_normals({3 * t, 3 * t + 1, 3 * t + 2}, out.corner_normals);
       continue;
     }
     const Index other = mesh.opposite[diagonal];
@@ -44,8 +58,11 @@ Mesh emit(const GridData& grid, const DualMesh& mesh, bool quads, bool single) {
     out.quads.push_back({mesh.vertex[diagonal], mesh.vertex[previous_in_triangle(other)],
                          mesh.vertex[other], mesh.vertex[previous_in_triangle(diagonal)]});
     quad_sources.push_back(source(t));
+    add_normals({diagonal, previous_in_triangle(other), other, previous_in_triangle(diagonal)},
+                quad_normals);
   }
   out.source_faces.insert(out.source_faces.end(), quad_sources.begin(), quad_sources.end());
+  out.corner_normals.insert(out.corner_normals.end(), quad_normals.begin(), quad_normals.end());
   return out;
 }
 

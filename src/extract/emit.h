@@ -8,7 +8,9 @@
 namespace kdm {
 
 /// The mesh in model units, without dropped triangles. `quads`: two triangles beside a strip become
-/// one quad. `single`: coordinates are rounded to 32 bits.
-Mesh emit(const GridData& grid, const DualMesh& mesh, bool quads, bool single);
+/// one quad. `single`: coordinates are rounded to 32 bits. `normals` are those of the half-edges'
+/// corners, or none.
+Mesh emit(const GridData& grid, const DualMesh& mesh, const std::vector<Vec3>& normals, bool quads,
+          bool single);
 
 }  // namespace kdm

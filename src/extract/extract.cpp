@@ -4,11 +4,14 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <initializer_list>
 #include <new>
 
 #include "extract/dual_mesh.h"
 #include "extract/embed.h"
 #include "extract/emit.h"
+#include "extract/normals.h"
 #include "extract/place.h"
 #include "extract/refine.h"
 #include "extract/split_vertices.h"
@@ -38,6 +41,16 @@ SplitError split_error(const GridData& grid, const ExtractOptions& options) {
   if (options.split_error > 0) return SplitError{options.split_error / grid.lattice.step, 0};
   if (options.quads) return {};
   return SplitError{grid.tolerance, kFeature};
+}
+
+// Cosine of the crease angle.
+double crease_cosine(const ExtractOptions& options) {
+  if (!(options.crease_angle >= 0 && options.crease_angle <= 180)) {
+    throw Error(
+        ErrorCode::kInvalidOption,
+        fmt::format("crease_angle is {}; it must be from 0 to 180 degrees", options.crease_angle));
+  }
+  return cosine_of_degrees(options.crease_angle);
 }
 
 double link_error(const GridData& grid, const ExtractOptions& options) {
@@ -72,7 +85,7 @@ class Meshing {
     report(progress, 0.4, "vertices");
     boxes_ = cell_boxes(grid_);
     points_ = hit_points(grid_, boxes_);
-    off_ = place_vertices(grid_, boxes_, points_, error_, loops_);
+    off_ = place_vertices(grid_, boxes_, points_, error_, options_.position, loops_);
   }
 
   DualMesh faces(ExtractReport& report) {
@@ -97,7 +110,8 @@ class Meshing {
       const Vec3 position = centred ? middle(mesh, v) : mesh.position[v];
       mesh.position[v] = inside(boxes_[mesh.leaf[v]], grid_.tolerance, position);
     }
-    report.split_vertices = split_vertices(grid_, boxes_, points_, error_, off, mesh);
+    report.split_vertices =
+        split_vertices(grid_, boxes_, points_, error_, options_.position, off, mesh);
     if (!options_.quads)
       report.link_vertices = refine(grid_, boxes_, points_, details, link_error_, mesh);
     if (options_.strict != Strict::kOff)
@@ -135,6 +149,7 @@ class Meshing {
 ExtractedMesh extract(const Grid& handle, const ExtractOptions& options,
                       const Progress& progress) try {
   const GridData& grid = handle.data();
+  const double crease = crease_cosine(options);
   Meshing meshing(grid, options);
   report(progress, 0.0, "loops");
   meshing.find_vertices(progress);
@@ -142,7 +157,10 @@ ExtractedMesh extract(const Grid& handle, const ExtractOptions& options,
   ExtractedMesh out;
   const DualMesh mesh = meshing.faces(out.report);
   report(progress, 0.9, "faces");
-  static_cast<Mesh&>(out) = emit(grid, mesh, options.quads, options.strict == Strict::kEmbedded);
+  std::vector<Vec3> normals;
+  if (options.normals) normals = corner_normals(grid, mesh, crease);
+  static_cast<Mesh&>(out) =
+      emit(grid, mesh, normals, options.quads, options.strict == Strict::kEmbedded);
   report(progress, 1.0, "faces");
   return out;
 } catch (const std::bad_alloc&) {

@@ -45,12 +45,15 @@ double residual(const GridData& grid, std::span<const Index> hits, const Vec3& v
 }  // namespace
 
 Vec3 vertex_position(const GridData& grid, const std::vector<Vec3>& points,
-                     std::span<const Index> hits, const LatticeBox& box) {
+                     std::span<const Index> hits, const LatticeBox& box, VertexPosition position) {
   Vec3 sum = Vec3::Zero();
   for (const Index h : hits) sum += points[h];
   PrimalQuadric quadric(sum / static_cast<double>(hits.size()));
   for (const Index h : hits) quadric.add(grid.planes[grid.hits[h].plane()]);
-  return minimiser_within(quadric, real(box.lo), real(box.hi), grid.tolerance,
+  const Vec3 lo = real(box.lo);
+  const Vec3 hi = real(box.hi);
+  if (position == VertexPosition::kProjection) return quadric.minimiser_projected(lo, hi);
+  return minimiser_within(quadric, lo, hi, grid.tolerance,
                           [&](const Vec3& x) { return residual(grid, hits, x); });
 }
 
@@ -71,7 +74,7 @@ bool meets_planes(const GridData& grid, std::span<const Index> hits, const Vec3&
 
 std::vector<Index> place_vertices(const GridData& grid, const std::vector<LatticeBox>& boxes,
                                   const std::vector<Vec3>& points, const SplitError& error,
-                                  DualMesh& mesh) {
+                                  VertexPosition position, DualMesh& mesh) {
   const auto vertices = static_cast<Index>(mesh.first.size());
   mesh.position.reserve(vertices);
   std::vector<Index> off;
@@ -84,10 +87,10 @@ std::vector<Index> place_vertices(const GridData& grid, const std::vector<Lattic
       hits.push_back(mesh.hit[half_edge / 3]);
       half_edge = next_in_triangle(mesh.opposite[half_edge]);
     } while (half_edge != first);
-    const Vec3 position = vertex_position(grid, points, hits, boxes[mesh.leaf[vertex]]);
-    mesh.position.push_back(position);
-    if (!meets_planes(grid, hits, position, error.distance) &&
-        !meets_planes(grid, hits, position, error_limit(error, points, hits, position))) {
+    const Vec3 point = vertex_position(grid, points, hits, boxes[mesh.leaf[vertex]], position);
+    mesh.position.push_back(point);
+    if (!meets_planes(grid, hits, point, error.distance) &&
+        !meets_planes(grid, hits, point, error_limit(error, points, hits, point))) {
       off.push_back(vertex);
     }
   }

@@ -6,15 +6,17 @@
 #include <span>
 
 #include "extract/dual_mesh.h"
+#include "kdmanifold/extract.h"
 
 namespace kdm {
 
 /// The surface point of every hit, in lattice coordinates.
 std::vector<Vec3> hit_points(const GridData& grid, const std::vector<LatticeBox>& boxes);
 
-/// The point of the box with the least squared distances to the hits' planes.
+/// The point of the box with the least squared distances to the hits' planes, or the point nearest
+/// to where they are least anywhere.
 Vec3 vertex_position(const GridData& grid, const std::vector<Vec3>& points,
-                     std::span<const Index> hits, const LatticeBox& box);
+                     std::span<const Index> hits, const LatticeBox& box, VertexPosition position);
 
 /// How far a vertex may lie from the plane of one of its hits: the larger of the two.
 struct SplitError {
@@ -22,11 +24,11 @@ struct SplitError {
   double of_hits = 0;  ///< fraction of the distance to the furthest of its hits
 };
 
-/// Puts each loop's vertex at the minimum of the squared distances to its hits' planes, within
-/// its leaf. Returns the vertices that lie further off than the error.
+/// Puts each loop's vertex at the minimum of the squared distances to its hits' planes, kept within
+/// its leaf as `position` says. Returns the vertices that lie further off than the error.
 std::vector<Index> place_vertices(const GridData& grid, const std::vector<LatticeBox>& boxes,
                                   const std::vector<Vec3>& points, const SplitError& error,
-                                  DualMesh& mesh);
+                                  VertexPosition position, DualMesh& mesh);
 
 /// What the error comes to for a vertex of these hits.
 double error_limit(const SplitError& error, const std::vector<Vec3>& points,

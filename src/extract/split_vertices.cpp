@@ -32,8 +32,14 @@ constexpr double kLeastCosine = 0.5;
 class Splitting {
  public:
   Splitting(const GridData& grid, const std::vector<LatticeBox>& boxes,
-            const std::vector<Vec3>& points, const SplitError& error, DualMesh& mesh)
-      : grid_(grid), boxes_(boxes), points_(points), error_(error), mesh_(mesh) {}
+            const std::vector<Vec3>& points, const SplitError& error, VertexPosition position,
+            DualMesh& mesh)
+      : grid_(grid),
+        boxes_(boxes),
+        points_(points),
+        error_(error),
+        position_(position),
+        mesh_(mesh) {}
 
   Index run(const std::vector<Index>& vertices) {
     const auto loops = static_cast<Index>(mesh_.first.size());
@@ -92,7 +98,7 @@ class Splitting {
     for (std::size_t i = 0; i < section.count; ++i) {
       hits_.push_back(polygons_[(section.first + i) % polygons_.size()]);
     }
-    const Vec3 position = vertex_position(grid_, points_, hits_, boxes_[leaf]);
+    const Vec3 position = vertex_position(grid_, points_, hits_, boxes_[leaf], position_);
     if (!meets_planes(grid_, hits_, position, limit_)) return false;
     section.position = position;
     return true;
@@ -168,7 +174,7 @@ class Splitting {
     for (std::size_t i = section.count - shared; i < n + shared; ++i) {
       hits_.push_back(polygons_[(section.first + i) % n]);
     }
-    return vertex_position(grid_, points_, hits_, boxes_[leaf]);
+    return vertex_position(grid_, points_, hits_, boxes_[leaf], position_);
   }
 
   // Would the triangle beside the new edge be turned away from the polygon it continues?
@@ -185,6 +191,7 @@ class Splitting {
   const std::vector<LatticeBox>& boxes_;
   const std::vector<Vec3>& points_;
   SplitError error_;
+  VertexPosition position_;
   DualMesh& mesh_;
   double limit_ = 0;           // of the vertex at hand
   std::vector<char> filling_;  // per triangle added
@@ -199,8 +206,8 @@ class Splitting {
 
 Index split_vertices(const GridData& grid, const std::vector<LatticeBox>& boxes,
                      const std::vector<Vec3>& points, const SplitError& error,
-                     const std::vector<Index>& vertices, DualMesh& mesh) {
-  return Splitting(grid, boxes, points, error, mesh).run(vertices);
+                     VertexPosition position, const std::vector<Index>& vertices, DualMesh& mesh) {
+  return Splitting(grid, boxes, points, error, position, mesh).run(vertices);
 }
 
 }  // namespace kdm

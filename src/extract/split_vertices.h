@@ -10,6 +10,6 @@ namespace kdm {
 /// that one vertex each can serve. Returns the number of vertices added; each brings two triangles.
 Index split_vertices(const GridData& grid, const std::vector<LatticeBox>& boxes,
                      const std::vector<Vec3>& points, const SplitError& error,
-                     const std::vector<Index>& vertices, DualMesh& mesh);
+                     VertexPosition position, const std::vector<Index>& vertices, DualMesh& mesh);
 
 }  // namespace kdm

@@ -49,6 +49,13 @@ class PrimalQuadric {
   /// insensitive technique for large model simplification, 2001).
   Vec3 minimiser_in(const Vec3& lo, const Vec3& hi, double cutoff = kRankCutoff) const;
 
+  /// The minimiser, or the point of the box nearest to it if it is outside.
+  Vec3 minimiser_projected(const Vec3& lo, const Vec3& hi) const {
+    return minimiser().cwiseMax(lo).cwiseMin(hi);
+  }
+
+  /// Eigenvalues are sums of squares of unit normals' parts, so this is a matter of angles alone:
+  /// what counts in a leaf of any size bends the surface by a tenth of that size or more.
   /// Normals that differ by less than about 6 degrees from one plane count as that plane.
   static constexpr double kRankCutoff = 0.01;
   /// The same for half a degree: for what the coarser rank leaves out of tolerance.

@@ -63,6 +63,18 @@ constexpr bool starts_below(const FaceEdge& edge, bool reversed) {
   return starts_in_child == (edge.owner == EdgeOwner::kBelow);
 }
 
+/// Calls `visit(edge, hit, side)` for every hit round the face, counter-clockwise: sides 0 and 1
+/// upwards, sides 2 and 3 downwards.
+template <typename Visit>
+void for_each_hit(const MinimalFace& face, Visit&& visit) {
+  for (int side = 0; side < 4; ++side) {
+    const FaceEdge& edge = face.edges[side];
+    for (Index i = 0; i < edge.size(); ++i) {
+      visit(edge, side < 2 ? edge.begin + i : edge.end - 1 - i, side);
+    }
+  }
+}
+
 /// First hit in [begin, end) that lies above lattice plane `value`.
 inline Index first_above(const std::vector<Hit>& hits, Index begin, Index end, std::int32_t value) {
   constexpr Index kShort = 8;
@@ -80,7 +92,10 @@ inline Index first_above(const std::vector<Hit>& hits, Index begin, Index end, s
 template <typename Visit>
 class FaceWalk {
  public:
-  FaceWalk(const GridData& grid, Visit& visit) : grid_(grid), visit_(visit) {}
+  FaceWalk(const GridData& grid, Visit& visit, std::uint64_t most_steps)
+      : grid_(grid), visit_(visit), steps_left_(most_steps) {}
+
+  bool exhausted() const { return steps_left_ == 0; }
 
   /// The faces within the splitting face of `cell`, which is not a leaf and has this box.
   void splitting_face(const Cell& cell, const LatticeBox& box) {
@@ -103,7 +118,8 @@ class FaceWalk {
  private:
   void descend(MinimalFace face) {
     const std::vector<Cell>& cells = grid_.cells;
-    for (;;) {
+    while (steps_left_ > 0) {
+      --steps_left_;
       const Cell& below = cells[face.below];
       const Cell& above = cells[face.above];
       if (face.hit_count() == 0 && !below.active(face.axis, true) &&
@@ -168,15 +184,20 @@ class FaceWalk {
 
   const GridData& grid_;
   Visit& visit_;
+  std::uint64_t steps_left_;
 };
 
-/// Visits all minimal faces with hits, split by split. `boxes` from `cell_boxes`.
+/// Visits all minimal faces with hits, split by split. `boxes` from `cell_boxes`. Goes down at most
+/// `most_steps` steps of the trees (grids from outside may be made to take endlessly many) and says
+/// whether they were enough.
 template <typename Visit>
-void for_each_face(const GridData& grid, const std::vector<LatticeBox>& boxes, Visit&& visit) {
-  FaceWalk<std::remove_reference_t<Visit>> walk(grid, visit);
-  for (std::size_t c = 0; c < grid.cells.size(); ++c) {
+bool for_each_face(const GridData& grid, const std::vector<LatticeBox>& boxes, Visit&& visit,
+                   std::uint64_t most_steps = ~std::uint64_t{0}) {
+  FaceWalk<std::remove_reference_t<Visit>> walk(grid, visit, most_steps);
+  for (std::size_t c = 0; c < grid.cells.size() && !walk.exhausted(); ++c) {
     if (!grid.cells[c].leaf()) walk.splitting_face(grid.cells[c], boxes[c]);
   }
+  return !walk.exhausted();
 }
 
 }  // namespace kdm

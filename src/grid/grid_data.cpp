@@ -33,6 +33,29 @@ std::vector<LatticeBox> cell_boxes(const GridData& grid) {
   return boxes;
 }
 
+void mark_active_sides(GridData& grid) {
+  for (std::size_t c = grid.cells.size(); c-- > 0;) {
+    Cell& cell = grid.cells[c];
+    if (cell.leaf()) continue;
+    const Cell& below = grid.cells[cell.below()];
+    const Cell& above = grid.cells[cell.above()];
+    for (int axis = 0; axis < 3; ++axis) {
+      for (const bool high : {false, true}) {
+        bool active = false;
+        if (axis == cell.axis()) {
+          active = (high ? above : below).active(axis, high);
+        } else {
+          const Index edge =
+              4 * cell.split() + static_cast<Index>(edge_on_side(cell.axis(), axis, high));
+          active = below.active(axis, high) || above.active(axis, high) ||
+                   grid.edge_begin[edge] != grid.edge_begin[edge + 1];
+        }
+        if (active) cell.set_active(axis, high);
+      }
+    }
+  }
+}
+
 Grid::Grid() : data_(std::make_unique<GridData>()) {}
 Grid::Grid(std::unique_ptr<GridData> data) : data_(std::move(data)) {}
 Grid::Grid(const Grid& other) : data_(std::make_unique<GridData>(other.data())) {}

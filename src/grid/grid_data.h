@@ -32,6 +32,9 @@
 
 namespace kdm {
 
+/// No leaf is deeper, midpoints have reached single lattice steps there. Recursions count on it.
+inline constexpr int kMaxDepth = 3 * kLatticeBits;
+
 /// A node of the kd-tree: 8 bytes.
 class Cell {
  public:
@@ -128,6 +131,9 @@ constexpr Index next_half_edge(Index half_edge, bool reversed) {
   // V0 V1 VN has slots 0 2 1 in turn; V0 VN V1 has 1 2 0.
   return reversed ? first + (slot == 2 ? 0 : slot + 1) : first + (slot == 0 ? 2 : slot - 1);
 }
+
+/// Sets the cells' active sides; none is set before.
+void mark_active_sides(GridData& grid);
 
 /// Axis-aligned extent of every leaf; other cells' entries are their own boxes as well.
 std::vector<LatticeBox> cell_boxes(const GridData& grid);

@@ -33,6 +33,12 @@ void validate_cells(const GridData& grid) {
     }
   }
   for (std::size_t c = 1; c < is_child.size(); ++c) require(is_child[c] != 0, "no cell is lost", c);
+  std::vector<int> depth(grid.cells.size(), 0);
+  for (std::size_t c = 0; c < grid.cells.size(); ++c) {
+    require(depth[c] <= kMaxDepth, "no cell lies deeper than midpoints can", c);
+    const Cell& cell = grid.cells[c];
+    if (!cell.leaf()) depth[cell.below()] = depth[cell.above()] = depth[c] + 1;
+  }
 }
 
 void validate_splits(const GridData& grid, const std::vector<LatticeBox>& boxes) {
@@ -82,18 +88,14 @@ class FaceValidation {
     require(grid_.cells[face.below].leaf() && grid_.cells[face.above].leaf(),
             "a minimal face lies between leaves", face.below);
     outline_.clear();
-    for (int side = 0; side < 4; ++side) {
-      const FaceEdge& edge = face.edges[side];
-      for (Index i = 0; i < edge.size(); ++i) {
-        const Index hit = side < 2 ? edge.begin + i : edge.end - 1 - i;
-        const Index half_edge = 3 * hit + edge.slot;
-        require(seen_[half_edge]++ == 0, "a half-edge crosses one minimal face", half_edge);
-        outline_.push_back(half_edge);
-        const Index leaf = starts_below(edge, grid_.hits[hit].reversed()) ? face.below : face.above;
-        require(grid_.start_leaf(half_edge) == leaf, "a half-edge starts in its leaf", half_edge);
-        require(grid_.crosses_strip(half_edge) == face.strip(), "strips are marked", half_edge);
-      }
-    }
+    for_each_hit(face, [&](const FaceEdge& edge, Index hit, int) {
+      const Index half_edge = 3 * hit + edge.slot;
+      require(seen_[half_edge]++ == 0, "a half-edge crosses one minimal face", half_edge);
+      outline_.push_back(half_edge);
+      const Index leaf = starts_below(edge, grid_.hits[hit].reversed()) ? face.below : face.above;
+      require(grid_.start_leaf(half_edge) == leaf, "a half-edge starts in its leaf", half_edge);
+      require(grid_.crosses_strip(half_edge) == face.strip(), "strips are marked", half_edge);
+    });
     validate_links();
   }
 

@@ -45,6 +45,23 @@ class ByteReader {
     at_ += sizeof(Unsigned);
     return value;
   }
+  /// A number in groups of seven bits, the lowest first; all bytes but the last have their top bit
+  /// set. Throws at the end of the bytes, and above `most`.
+  std::uint64_t take_varint(std::uint64_t most, std::string_view what) {
+    std::uint64_t value = 0;
+    for (int shift = 0; shift < 64; shift += 7) {
+      require(1, 1, what);
+      const auto byte = take_unsigned<std::uint8_t>();
+      value |= std::uint64_t{byte & 0x7fu} << shift;
+      if (byte < 0x80) {
+        // The tenth byte has room for one bit, and no number needs a last byte of 0.
+        const bool shortest = byte != 0 || shift == 0;
+        if (value <= most && shortest && (shift < 63 || byte <= 1)) return value;
+        break;
+      }
+    }
+    fail(fmt::format("{} should be a number up to {}", what, most));
+  }
   /// `To` has the size of `Unsigned`: an integer or a floating-point number.
   template <typename To, typename Unsigned>
   To take() {
@@ -75,6 +92,19 @@ inline void append_u32(std::string& out, std::uint32_t value) {
   char bytes[4];
   for (int i = 0; i < 4; ++i) bytes[i] = static_cast<char>(value >> (8 * i) & 0xff);
   out.append(bytes, 4);
+}
+inline void append_u64(std::string& out, std::uint64_t value) {
+  append_u32(out, static_cast<std::uint32_t>(value));
+  append_u32(out, static_cast<std::uint32_t>(value >> 32));
+}
+inline void append_f64(std::string& out, double value) {
+  std::uint64_t bits;
+  std::memcpy(&bits, &value, sizeof bits);
+  append_u64(out, bits);
+}
+inline void append_varint(std::string& out, std::uint64_t value) {
+  for (; value >= 0x80; value >>= 7) out += static_cast<char>((value & 0x7f) | 0x80);
+  out += static_cast<char>(value);
 }
 inline void append_f32(std::string& out, float value) {
   std::uint32_t bits;

@@ -32,6 +32,19 @@ void check_writable(const Mesh& mesh) {
     }
   }
   check_indices(mesh);
+  const std::size_t corners = 3 * mesh.triangles.size() + 4 * mesh.quads.size();
+  if (!mesh.corner_normals.empty() && mesh.corner_normals.size() != corners) {
+    throw Error(ErrorCode::kInvalidMesh,
+                fmt::format("corner_normals: there are {}, but the faces have {} corners",
+                            mesh.corner_normals.size(), corners));
+  }
+  for (std::size_t i = 0; i < mesh.corner_normals.size(); ++i) {
+    for (const float value : mesh.corner_normals[i]) {
+      if (std::isfinite(value)) continue;
+      throw Error(ErrorCode::kInvalidMesh,
+                  fmt::format("corner_normals[{}] has {}; it must be finite", i, value));
+    }
+  }
 }
 
 }  // namespace

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Wavefront OBJ: `v` and `f` statements; everything else is passed over.
+// Wavefront OBJ: `v` and `f` statements; everything else is passed over. `vn` is written only.
 #include <fmt/compile.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 #include <vector>
 
@@ -100,23 +101,61 @@ Mesh parse_obj(std::string_view text, std::string_view name) {
   return ObjReader(text, name).read();
 }
 
+namespace {
+
+// Corners with normals of the same bits share one: `f` names them by their place among all.
+class Normals {
+ public:
+  explicit Normals(const std::vector<std::array<float, 3>>& corners) : distinct_(corners) {
+    // -0 equals 0, and which of the two would stay is the sort's business.
+    for (std::array<float, 3>& normal : distinct_) {
+      for (float& value : normal) value += 0.0f;
+    }
+    std::sort(distinct_.begin(), distinct_.end());
+    distinct_.erase(std::unique(distinct_.begin(), distinct_.end()), distinct_.end());
+  }
+  const std::vector<std::array<float, 3>>& distinct() const { return distinct_; }
+  std::uint64_t number(const std::array<float, 3>& normal) const {
+    const auto found = std::lower_bound(distinct_.begin(), distinct_.end(), normal);
+    return static_cast<std::uint64_t>(found - distinct_.begin()) + 1;
+  }
+
+ private:
+  std::vector<std::array<float, 3>> distinct_;
+};
+
+}  // namespace
+
 std::string format_obj(const Mesh& mesh) {
   std::string text;
-  text.reserve(mesh.positions.size() * 36 + mesh.triangles.size() * 24 + mesh.quads.size() * 32);
+  text.reserve(mesh.positions.size() * 36 + mesh.triangles.size() * 24 + mesh.quads.size() * 32 +
+               mesh.corner_normals.size() * 16);
   auto out = std::back_inserter(text);
   for (const Vec3& p : mesh.positions) {
     fmt::format_to(out, FMT_COMPILE("v {} {} {}\n"), static_cast<float>(p.x()),
                    static_cast<float>(p.y()), static_cast<float>(p.z()));
   }
-  // In 64 bits, for the last vertex's number is one more than its index.
-  const auto number = [](Index index) { return std::uint64_t{index} + 1; };
-  for (const Triangle& t : mesh.triangles) {
-    fmt::format_to(out, FMT_COMPILE("f {} {} {}\n"), number(t[0]), number(t[1]), number(t[2]));
+  const Normals normals(mesh.corner_normals);
+  for (const std::array<float, 3>& n : normals.distinct()) {
+    fmt::format_to(out, FMT_COMPILE("vn {} {} {}\n"), n[0], n[1], n[2]);
   }
-  for (const Quad& q : mesh.quads) {
-    fmt::format_to(out, FMT_COMPILE("f {} {} {} {}\n"), number(q[0]), number(q[1]), number(q[2]),
-                   number(q[3]));
-  }
+  std::size_t corner = 0;
+  const auto write_face = [&](const auto& face) {
+    text += 'f';
+    for (const Index vertex : face) {
+      // In 64 bits, for the last vertex's number is one more than its index.
+      const std::uint64_t number = std::uint64_t{vertex} + 1;
+      if (mesh.corner_normals.empty()) {
+        fmt::format_to(out, FMT_COMPILE(" {}"), number);
+      } else {
+        fmt::format_to(out, FMT_COMPILE(" {}//{}"), number,
+                       normals.number(mesh.corner_normals[corner++]));
+      }
+    }
+    text += '\n';
+  };
+  for (const Triangle& t : mesh.triangles) write_face(t);
+  for (const Quad& q : mesh.quads) write_face(q);
   return text;
 }
 

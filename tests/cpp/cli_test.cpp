@@ -119,11 +119,14 @@ TEST_F(Cli, HelpListsTheOptions) {
          ++it) {
       options.insert(it->str());
     }
-    EXPECT_EQ(options, (std::set<std::string>{"--check", "--depth", "--help", "--inside", "--json",
-                                              "--link-error", "--no-strict", "--no-unfold",
-                                              "--output", "--pairing", "--quads",
-                                              "--relative-tolerance", "--split-error", "--strategy",
-                                              "--strict", "--tolerance", "--version"}));
+    EXPECT_EQ(
+        options,
+        (std::set<std::string>{
+            "--check",     "--crease-angle", "--depth",     "--help",      "--inside",
+            "--json",      "--link-error",   "--no-strict", "--no-unfold", "--normals",
+            "--output",    "--pairing",      "--position",  "--quads",     "--relative-tolerance",
+            "--save-grid", "--split-error",  "--strategy",  "--strict",    "--tolerance",
+            "--version"}));
     EXPECT_NE(outcome.out.find("adaptive|octree|feature|median|uniform"), std::string::npos);
   }
 }
@@ -252,6 +255,63 @@ TEST_F(Cli, EveryOptionHasAnEffect) {
     const Json json = report(base + "median --pairing " + pairing);
     EXPECT_EQ(json["output"]["twoManifold"], true) << pairing;
   }
+}
+
+TEST_F(Cli, ASavedGridIsAsGoodAsItsMesh) {
+  write("torus.ply", shapes::torus());
+  const Json built =
+      report("torus.ply -o a.obj --save-grid torus.kdgrid --relative-tolerance 0.01");
+  EXPECT_EQ(files(), (std::set<std::string>{"a.obj", "cube.obj", "torus.kdgrid", "torus.ply"}));
+  const Json loaded = report("torus.kdgrid -o b.obj");
+  EXPECT_FALSE(read("a.obj").empty());
+  EXPECT_EQ(read("a.obj"), read("b.obj"));
+  EXPECT_EQ(loaded["input"], built["input"]);
+  EXPECT_EQ(loaded["output"], built["output"]);
+  EXPECT_EQ(loaded["grid"]["hits"], built["grid"]["hits"]);
+  EXPECT_EQ(loaded["seconds"]["build"], 0);
+  EXPECT_EQ(keys(report("torus.kdgrid --save-grid again.kdgrid")["seconds"]),
+            (Names{"read", "build", "extract", "write"}));
+  EXPECT_EQ(read("again.kdgrid"), read("torus.kdgrid"));
+  EXPECT_NE(run("torus.kdgrid").out.find("grid     loaded, depth"), std::string::npos);
+
+  EXPECT_EQ(complaint("torus.kdgrid --depth 9 --tolerance 1"),
+            "--tolerance: the grid in torus.kdgrid is built already");
+  EXPECT_EQ(complaint("torus.ply --save-grid torus.bin"),
+            "--save-grid: 'torus.bin' does not end in .kdgrid");
+  EXPECT_NE(complaint("missing.kdgrid").find("missing.kdgrid: cannot be opened"),
+            std::string::npos);
+  std::ofstream(folder_ / "bad.kdgrid") << read("torus.kdgrid").substr(0, 1000);
+  EXPECT_NE(complaint("bad.kdgrid -o c.obj").find("bad.kdgrid: byte 28"), std::string::npos);
+}
+
+TEST_F(Cli, PositionsDifferWhereVerticesLeaveTheirCells) {
+  write("turned.obj", shapes::rotated(shapes::cube(), {1, 2, 3}, 1));
+  const auto volume = [this](const std::string& options) {
+    const Json json = report("turned.obj --split-error 9" + options + kCoarse);
+    EXPECT_EQ(json["output"]["twoManifold"], true);
+    return json["output"]["volume"].get<double>();
+  };
+  EXPECT_EQ(volume(""), volume(" --position constrained"));
+  EXPECT_NE(volume(""), volume(" --position projection"));
+  EXPECT_EQ(complaint("cube.obj --position best"),
+            "--position: 'best' is none of constrained, projection");
+}
+
+TEST_F(Cli, NormalsGoIntoObjFiles) {
+  EXPECT_EQ(run("cube.obj -o a.obj" + kCoarse).status, 0);
+  EXPECT_EQ(read("a.obj").find("vn "), std::string::npos);
+  const auto normals = [this](const std::string& options) {
+    EXPECT_EQ(run("cube.obj -o a.obj --normals " + options + kCoarse).status, 0);
+    const std::string text = read("a.obj");
+    EXPECT_TRUE(std::regex_search(text, std::regex("\nf \\d+//\\d+ \\d+//\\d+ \\d+//\\d+\n")));
+    int count = 0;
+    for (std::size_t at = 0; (at = text.find("\nvn ", at)) != std::string::npos; ++at) ++count;
+    return count;
+  };
+  EXPECT_EQ(normals(""), 6);
+  EXPECT_GT(normals("--crease-angle 180"), 6);
+  EXPECT_EQ(complaint("cube.obj --crease-angle 181"),
+            "--crease-angle: '181' is no number from 0 to 180");
 }
 
 TEST_F(Cli, TolerancesDecideHowMuchIsSplit) {

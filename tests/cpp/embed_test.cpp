@@ -105,7 +105,7 @@ TEST(Embed, FullDetailKeepsEachTriangleInItsLeaf) {
     const std::vector<Vec3> points = hit_points(grid, boxes);
     DualMesh dual = dual_mesh_of(grid);
     find_loops(grid, dual);
-    place_vertices(grid, boxes, points, {}, dual);
+    place_vertices(grid, boxes, points, {}, VertexPosition::kConstrained, dual);
     Details details;
     details.hits.assign(grid.hits.size(), Detail::kApart);
     details.loops.assign(dual.first.size(), Detail::kApart);

@@ -37,7 +37,11 @@ class OneFace {
  public:
   // The outline enters the solid at the first hit, or leaves it there; then they alternate.
   OneFace(std::vector<OutlinePoint> points, bool enters_first)
-      : points_(std::move(points)), enters_first_(enters_first) {
+      : OneFace(points, alternating(points.size(), enters_first)) {}
+
+  // Enters it where told.
+  OneFace(std::vector<OutlinePoint> points, std::vector<bool> directions)
+      : points_(std::move(points)), enters_(std::move(directions)) {
     grid_.cells = {Cell(1, 2, kPlane), Cell(), Cell()};
     grid_.edge_begin = {0};
     half_edge_.resize(points_.size());
@@ -73,7 +77,12 @@ class OneFace {
     }
   }
 
-  bool enters(std::size_t i) const { return (i % 2 == 0) == enters_first_; }
+  static std::vector<bool> alternating(std::size_t count, bool enters_first) {
+    std::vector<bool> enters;
+    for (std::size_t i = 0; i < count; ++i) enters.push_back((i % 2 == 0) == enters_first);
+    return enters;
+  }
+  bool enters(std::size_t i) const { return enters_[i]; }
 
   // Partners round the outline.
   std::vector<std::size_t> link(Pairing pairing) {
@@ -94,7 +103,7 @@ class OneFace {
 
  private:
   std::vector<OutlinePoint> points_;
-  bool enters_first_;
+  std::vector<bool> enters_;
   GridData grid_;
   Surface surface_;
   std::vector<Index> half_edge_;
@@ -119,52 +128,80 @@ void expect_matching(const OneFace& face, const std::vector<std::size_t>& partne
   }
 }
 
+std::vector<OutlinePoint> random_points(const std::array<int, 4>& count, check::Random& random) {
+  std::vector<OutlinePoint> points;
+  for (int side = 0; side < 4; ++side) {
+    for (int i = 0; i < count[side]; ++i) {
+      Vec3 normal = random.direction();
+      if (random.below(8) == 0) normal = Vec3(0, 0, 1);  // no tangent line in the face
+      points.push_back({side, (i + 0.1 + 0.8 * random.unit()) / count[side], normal});
+    }
+  }
+  return points;
+}
+
+// Calls visit(count per side) for every way to spread `total` hits over the four sides.
+template <typename Visit>
+void for_each_spread(int total, Visit&& visit) {
+  for (int a = 0; a <= total; ++a) {
+    for (int b = 0; a + b <= total; ++b) {
+      for (int c = 0; a + b + c <= total; ++c) {
+        visit(std::array<int, 4>{a, b, c, total - a - b - c});
+      }
+    }
+  }
+}
+
+// The directions of a solid alternate; those of other surfaces need not.
+std::vector<std::vector<bool>> balanced_directions(int total) {
+  std::vector<std::vector<bool>> all;
+  for (unsigned bits = 0; bits < 1u << total; ++bits) {
+    std::vector<bool> enters;
+    for (int i = 0; i < total; ++i) enters.push_back((bits >> i & 1u) != 0);
+    if (std::count(enters.begin(), enters.end(), true) == total / 2) all.push_back(enters);
+  }
+  return all;
+}
+
 TEST(Link, EveryPatternOfUpToEightHitsIsMatched) {
   check::Random random(1);
   int patterns = 0;
   for (int total = 2; total <= 8; total += 2) {
-    for (int a = 0; a <= total; ++a) {
-      for (int b = 0; a + b <= total; ++b) {
-        for (int c = 0; a + b + c <= total; ++c) {
-          const std::array<int, 4> count{a, b, c, total - a - b - c};
-          for (const bool enters_first : {false, true}) {
-            std::vector<OutlinePoint> points;
-            for (int side = 0; side < 4; ++side) {
-              for (int i = 0; i < count[side]; ++i) {
-                Vec3 normal = random.direction();
-                if (random.below(8) == 0) normal = Vec3(0, 0, 1);  // no tangent line in the face
-                points.push_back({side, (i + 0.1 + 0.8 * random.unit()) / count[side], normal});
-              }
-            }
-            OneFace face(points, enters_first);
-            ++patterns;
-            for (const Pairing pairing : kPairings) {
-              const std::vector<std::size_t> partner = face.link(pairing);
-              SCOPED_TRACE(testing::Message()
-                           << a << ' ' << b << ' ' << c << ' ' << count[3] << " enters "
-                           << enters_first << " pairing " << static_cast<int>(pairing));
-              expect_matching(face, partner);
-              EXPECT_EQ(face.grid().stats.ambiguous_faces, total > 2 ? 1u : 0u);
-              if (testing::Test::HasFatalFailure()) return;
-              if (total == 2) continue;
-              // The paper's rules: the stretch of the outline between partners is all inside, or
-              // all outside.
-              for (std::size_t i = 0; i < partner.size(); ++i) {
-                const std::size_t next = (i + 1) % partner.size();
-                if (pairing == Pairing::kInside) {
-                  EXPECT_EQ(partner[i] == next, face.enters(i));
-                }
-                if (pairing == Pairing::kOutside) {
-                  EXPECT_EQ(partner[i] == next, !face.enters(i));
-                }
-              }
-            }
-          }
+    for (const std::vector<bool>& enters : balanced_directions(total)) {
+      for_each_spread(total, [&](const std::array<int, 4>& count) {
+        if (testing::Test::HasFatalFailure()) return;
+        OneFace face(random_points(count, random), enters);
+        ++patterns;
+        for (const Pairing pairing : kPairings) {
+          SCOPED_TRACE(testing::Message()
+                       << count[0] << ' ' << count[1] << ' ' << count[2] << ' ' << count[3]
+                       << " enters " << testing::PrintToString(enters) << " pairing "
+                       << static_cast<int>(pairing));
+          expect_matching(face, face.link(pairing));
+          ASSERT_EQ(face.grid().stats.ambiguous_faces, total > 2 ? 1u : 0u);
         }
-      }
+      });
     }
   }
-  EXPECT_EQ(patterns, 2 * (10 + 35 + 84 + 165));
+  EXPECT_EQ(patterns, 2 * 10 + 6 * 35 + 20 * 84 + 70 * 165);
+}
+
+TEST(Link, TheFixedRulesJoinTheEndsOfInsideOrOutsideStretches) {
+  check::Random random(2);
+  for (int total = 4; total <= 8; total += 2) {
+    for_each_spread(total, [&](const std::array<int, 4>& count) {
+      for (const bool enters_first : {false, true}) {
+        OneFace face(random_points(count, random), enters_first);
+        const std::vector<std::size_t> inside = face.link(Pairing::kInside);
+        const std::vector<std::size_t> outside = face.link(Pairing::kOutside);
+        for (std::size_t i = 0; i < inside.size(); ++i) {
+          const std::size_t next = (i + 1) % inside.size();
+          EXPECT_EQ(inside[i] == next, face.enters(i));
+          EXPECT_EQ(outside[i] == next, !face.enters(i));
+        }
+      }
+    });
+  }
 }
 
 // Two corners of the face cut off, or a band between them.

@@ -125,5 +125,43 @@ TEST(Matching, InfiniteCostsStillGiveAMatching) {
   expect_valid(partner);
 }
 
+TEST(Brackets, NestRoundTheCircle) {
+  using Opens = std::vector<bool>;
+  EXPECT_TRUE(match_brackets({}).empty());
+  EXPECT_EQ(match_brackets(Opens{true, false, true, false}), (Matching{1, 0, 3, 2}));
+  EXPECT_EQ(match_brackets(Opens{false, true, false, true}), (Matching{3, 2, 1, 0}));
+  EXPECT_EQ(match_brackets(Opens{true, true, false, false}), (Matching{3, 2, 1, 0}));
+  EXPECT_EQ(match_brackets(Opens{false, false, true, true}), (Matching{3, 2, 1, 0}));
+  EXPECT_EQ(match_brackets(Opens{false, true, true, false}), (Matching{1, 0, 3, 2}));
+}
+
+// Infinite costs forbid pairs; where directions are balanced, the cheapest of the rest is found.
+TEST(Matching, ForbiddenPairsAreAvoidedWherePossible) {
+  constexpr double kNever = std::numeric_limits<double>::infinity();
+  check::Random random(3);
+  for (const Index count : {2u, 4u, 6u, 8u}) {
+    const std::vector<Matching> all = all_matchings(count);
+    for (unsigned opens = 0; opens < 1u << count; ++opens) {
+      Index open = 0;
+      for (Index i = 0; i < count; ++i) open += opens >> i & 1u;
+      if (2 * open != count) continue;
+      std::vector<double> cost(count * count);
+      for (Index i = 0; i < count; ++i) {
+        for (Index j = 0; j < count; ++j) {
+          const bool fit = (opens >> i & 1u) != (opens >> j & 1u);
+          cost[i * count + j] = fit ? random.unit() : kNever;
+        }
+      }
+      const Matching partner =
+          match_without_crossings(count, [&](Index i, Index j) { return cost[i * count + j]; });
+      expect_valid(partner);
+      double least = kNever;
+      for (const Matching& m : all) least = std::min(least, total(m, cost));
+      ASSERT_LT(least, kNever);
+      ASSERT_NEAR(total(partner, cost), least, 1e-12);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace kdm

@@ -57,7 +57,7 @@ struct Fan {
     // Vertices were numbered as leaves; each gets a box of its own number.
     boxes.assign(n + 2, boxes[0]);
     find_loops(grid, mesh);
-    off = place_vertices(grid, boxes, points, kError, mesh);
+    off = place_vertices(grid, boxes, points, kError, VertexPosition::kConstrained, mesh);
   }
 };
 
@@ -69,8 +69,8 @@ TEST(SplitVertices, EveryRingOfUpToSixPolygonsStaysASphere) {
       Fan fan(ring);
       const auto loops = static_cast<Index>(fan.mesh.first.size());
       const Index triangles = fan.mesh.triangles();
-      const Index added =
-          split_vertices(fan.grid, fan.boxes, fan.points, kError, fan.off, fan.mesh);
+      const Index added = split_vertices(fan.grid, fan.boxes, fan.points, kError,
+                                         VertexPosition::kConstrained, fan.off, fan.mesh);
       ASSERT_EQ(fan.mesh.first.size(), loops + added);
       ASSERT_EQ(fan.mesh.triangles(), triangles + 2 * added);
       ASSERT_EQ(fan.mesh.position.size(), fan.mesh.first.size());

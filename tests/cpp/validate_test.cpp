@@ -153,6 +153,23 @@ TEST(Validate, NoticesDamagedCells) {
   expect_rule("no cell is lost", [](GridData& g) { g.cells.resize(g.cells.size() + 2); });
 }
 
+TEST(Validate, NoticesTreesThatAreTooDeep) {
+  // A chain: every upper cell is cut one lattice step above its lower side.
+  const auto chain = [](int depth) {
+    GridData grid;
+    grid.cells.resize(1);
+    for (int k = 0; k < depth; ++k) {
+      grid.cells[2 * k] = Cell(static_cast<Index>(2 * k + 1), 0, k + 1);
+      grid.cells.resize(grid.cells.size() + 2);
+    }
+    grid.edge_begin.assign(4 * static_cast<std::size_t>(depth) + 1, 0);
+    return grid;
+  };
+  EXPECT_NO_THROW(validate(chain(kMaxDepth)));
+  expect_rule("no cell lies deeper than midpoints can",
+              [&](GridData& g) { g = chain(kMaxDepth + 1); });
+}
+
 TEST(Validate, NoticesDamagedEdges) {
   expect_rule("splitting edges cover all hits", [](GridData& g) { g.edge_begin.pop_back(); });
   expect_rule("splitting edges cover all hits", [](GridData& g) { g.edge_begin[0] = 1; });
@@ -302,7 +319,7 @@ TEST(Validate, ItsRulesAreThoseOfTheReadme) {
   // Numbered lines without a full stop, and string literals that are no file names or formats.
   const auto listed = matches_in("README.md", std::regex("\n[0-9]+\\. ([a-z][^.\n]*)(?=\n)"));
   const auto checked = matches_in("grid/validate.cpp", std::regex("\"([^\"/{\n]+)\""));
-  EXPECT_EQ(listed.size(), 24u);
+  EXPECT_EQ(listed.size(), 25u);
   EXPECT_EQ(listed, checked);
 }
 

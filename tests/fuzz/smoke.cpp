@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
-// A short run of both fuzz targets from a fixed seed, without libFuzzer: part of ctest on every
-// compiler. Parsers get damaged copies of well-formed files, construction gets random bytes.
+// A short run of the fuzz targets from a fixed seed, without libFuzzer: part of ctest on every
+// compiler. Parsers and loading get damaged copies of what is well-formed, construction gets random
+// bytes.
 #include <cstdio>
 #include <cstdlib>
 #include <random>
 #include <string>
 #include <vector>
 
-#include "kdmanifold/mesh_io.h"
+#include "grid/grid_format.h"
+#include "kdmanifold/kdmanifold.h"
 #include "support/shapes.h"
 #include "targets.h"
 
@@ -88,12 +90,37 @@ void smoke_build(int rounds) {
   }
 }
 
+void smoke_grids(int rounds) {
+  std::mt19937 engine(3);
+  std::vector<Bytes> corpus;
+  for (const kdm::BuildOptions& options :
+       {kdm::BuildOptions{.relative_tolerance = 0.1},
+        kdm::BuildOptions{.strategy = kdm::SplitStrategy::kUniform, .depth = 4},
+        kdm::BuildOptions{.strategy = kdm::SplitStrategy::kMedian, .depth = 7}}) {
+    for (const kdm::Mesh& mesh :
+         {kdm::shapes::cube(), kdm::shapes::thin_walled_box(0.02), kdm::shapes::torus()}) {
+      const Bytes file = kdm::save_grid(kdm::build_grid(mesh, options));
+      corpus.emplace_back(file.begin() + kdm::grid_format::kHeaderBytes, file.end());
+    }
+  }
+  for (int round = 0; round < rounds; ++round) {
+    Bytes bytes = corpus[engine() % corpus.size()];
+    if (round % 2 == 0) {
+      damage(bytes, engine);
+    } else {
+      bytes[engine() % bytes.size()] ^= static_cast<std::uint8_t>(1u << engine() % 8);
+    }
+    kdm::fuzz::load_bytes(bytes.data(), bytes.size());
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   const int scale = argc > 1 ? std::atoi(argv[1]) : 1;
   smoke_parsers(20000 * scale);
   smoke_build(300 * scale);
+  smoke_grids(2000 * scale);
   std::puts("fuzz smoke run: no fault found");
   return 0;
 }

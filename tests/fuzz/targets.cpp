@@ -7,8 +7,10 @@
 #include <string>
 #include <string_view>
 
+#include "grid/grid_format.h"
 #include "grid/validate.h"
 #include "kdmanifold/kdmanifold.h"
+#include "mesh/bytes.h"
 #include "support/mesh_check.h"
 #include "support/random_meshes.h"
 
@@ -93,6 +95,31 @@ void build_from_bytes(const std::uint8_t* bytes, std::size_t size) {
   demand(again.positions == out.positions && again.triangles == out.triangles &&
              again.quads == out.quads,
          "the same comes out twice");
+}
+
+void load_bytes(const std::uint8_t* bytes, std::size_t size) {
+  const std::string_view payload(reinterpret_cast<const char*>(bytes), size);
+  std::string header(grid_format::kMagic);
+  append_u32(header, grid_format::kVersion);
+  append_u64(header, payload.size());
+  append_u64(header, grid_format::checksum(payload));
+  std::vector<std::uint8_t> file(header.begin(), header.end());
+  file.insert(file.end(), payload.begin(), payload.end());
+  Grid grid;
+  try {
+    grid = load_grid(file);
+  } catch (const Error& error) {
+    demand(error.code() == ErrorCode::kParseError,
+           std::string("bad grids give PARSE_ERROR, not: ") + error.what());
+    return;
+  }
+  validate(grid.data());
+  const std::vector<std::uint8_t> saved = save_grid(grid);
+  demand(save_grid(load_grid(saved)) == saved, "what was loaded can be saved and loaded again");
+  const ExtractedMesh out = extract(grid);
+  if (out.triangles.empty()) return;
+  const check::MeshCheck result = check::check_mesh(out);
+  demand(result.two_manifold, "the surface is 2-manifold, but: " + result.faults());
 }
 
 }  // namespace kdm::fuzz

@@ -15,4 +15,9 @@ void parse_bytes(const std::uint8_t* bytes, std::size_t size);
 /// The grid must be valid and the surface 2-manifold. Aborts otherwise.
 void build_from_bytes(const std::uint8_t* bytes, std::size_t size);
 
+/// The bytes are a saved grid without its header, whose checksum nobody guesses. They either give
+/// `kParseError` or a valid grid that survives being saved again and whose surface is 2-manifold.
+/// Aborts otherwise.
+void load_bytes(const std::uint8_t* bytes, std::size_t size);
+
 }  // namespace kdm::fuzz

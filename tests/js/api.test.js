@@ -113,6 +113,35 @@ test('quads on request, and as many faces in all as source faces', () => {
   expect(faults(mesh)).toEqual([]);
 });
 
+test('normals on request: those of the faces of a cube', () => {
+  expect(convert(cube()).cornerNormals).toBeUndefined();
+  for (const quads of [false, true]) {
+    const mesh = convert(
+      cube(),
+      { strategy: 'uniform', depth: 9 },
+      { normals: true, creaseAngle: 45, quads },
+    );
+    const { cornerNormals } = mesh;
+    expect(cornerNormals).toBeInstanceOf(Float32Array);
+    expect(cornerNormals).toHaveLength(3 * (mesh.indices.length + (mesh.quads?.length ?? 0)));
+    const seen = new Set();
+    for (let i = 0; i < cornerNormals.length; i += 3) {
+      seen.add([...cornerNormals.subarray(i, i + 3)].map((x) => x + 0).join());
+    }
+    expect([...seen].sort()).toEqual(
+      ['1,0,0', '-1,0,0', '0,1,0', '0,-1,0', '0,0,1', '0,0,-1'].sort(),
+    );
+    // They go into OBJ files, and the mesh is still one that can be described.
+    expect(Buffer.from(kdm.formatMesh(mesh, 'obj')).toString().match(/^vn /gm)).toHaveLength(6);
+    expect(kdm.describe(mesh).twoManifold).toBe(true);
+  }
+});
+
+test.each(['constrained', 'projection'])('position %s', (position) => {
+  const mesh = convert(torus(), { strategy: 'uniform', depth: 9 }, { position });
+  expect(faults(mesh)).toEqual([]);
+});
+
 test('without strict nothing is dropped or inserted', () => {
   const mesh = convert(torus(), { strategy: 'uniform', depth: 9 }, { strict: 'off' });
   expect(mesh.report).toMatchObject({ droppedPillows: 0, insertedVertices: 0 });
@@ -162,6 +191,26 @@ test('a grid can be extracted from again; results are copies', () => {
   first.positions.fill(0);
   const second = grid.extract();
   expect(second.positions).toEqual(kept);
+  grid.delete();
+});
+
+test('a saved grid comes back', () => {
+  const grid = kdm.buildGrid(torus(), { relativeTolerance: 0.01 });
+  const bytes = grid.save();
+  expect(bytes).toBeInstanceOf(Uint8Array);
+  expect(grid.save()).toEqual(bytes);
+  expect(bytes.length).toBeLessThan(grid.stats.bytes);
+  const shifted = new Uint8Array(bytes.length + 5);
+  shifted.set(bytes, 3);
+  for (const content of [bytes, bytes.buffer, shifted.subarray(3, 3 + bytes.length)]) {
+    const loaded = kdm.loadGrid(content);
+    expect(loaded).toBeInstanceOf(Grid);
+    expect(loaded.input).toEqual(grid.input);
+    expect({ ...loaded.stats, bytes: 0 }).toEqual({ ...grid.stats, bytes: 0 });
+    same(loaded.extract(), grid.extract());
+    expect(loaded.save()).toEqual(bytes);
+    loaded.delete();
+  }
   grid.delete();
 });
 

@@ -33,6 +33,7 @@ const optionSets = [
   ['--strategy', 'octree', '--depth', '15'],
   ['--strategy', 'median', '--depth', '15', '--inside', 'nonzero'],
   ['--strategy', 'uniform', '--depth', '12', '--quads', '--pairing', 'hermite'],
+  ['--strategy', 'octree', '--depth', '12', '--normals', '--crease-angle', '40'],
   ['--strategy', 'uniform', '--depth', '9', '--no-strict', '--inside', 'odd'],
 ];
 
@@ -160,6 +161,10 @@ const wrong = [
   [['a.obj', '-o', 'out.step'], /out\.step/],
   [['a.obj', '-o', 'no/such/folder/out.obj'], /no\/such\/folder/],
   [['a.obj', '--depth'], /--depth/],
+  [['a.obj', '--crease-angle', '180.5'], /--crease-angle: '180\.5' is no number from 0 to 180/],
+  [['a.obj', '--save-grid', 'grid.obj'], /--save-grid: 'grid\.obj' does not end in \.kdgrid/],
+  [['a.kdgrid', '--pairing', 'trace', '--depth=9'], /--depth: the grid in a\.kdgrid is built/],
+  [['no.kdgrid'], /no\.kdgrid: cannot be/],
 ];
 
 test.each(wrong.map(([args, message]) => [args.join(' '), args, message]))(
@@ -186,6 +191,30 @@ test('an existing file is kept when the new one cannot be made', () =>
     }
   }));
 
+test('a saved grid is the same file from both, and is read by both', () =>
+  withFolder((folder) => {
+    write(join(folder, 'a.obj'), torus());
+    const saved = programs.map(([name, run]) => {
+      const result = run(['a.obj', '-o', `${name}.ply`, '--save-grid', `${name}.kdgrid`], {
+        cwd: folder,
+      });
+      expect(result).toMatchObject({ status: 0, stderr: '' });
+      return readFileSync(join(folder, `${name}.kdgrid`));
+    });
+    expect(saved[1].equals(saved[0])).toBe(true);
+    const direct = readFileSync(join(folder, 'native.ply'));
+    // Each reads what the other has written.
+    const loaded = programs.map(([, run], i) => {
+      const other = programs[1 - i][0];
+      const result = run([`${other}.kdgrid`, '-o', 'again.ply', '--check'], { cwd: folder });
+      expect(result).toMatchObject({ status: 0, stderr: '' });
+      expect(readFileSync(join(folder, 'again.ply')).equals(direct)).toBe(true);
+      return result.stdout.replaceAll(other, '').replace(/\d+\.\d+/g, '#');
+    });
+    expect(loaded[1]).toBe(loaded[0]);
+    expect(loaded[0]).toContain('grid     loaded, depth');
+  }));
+
 test('--help lists the same options in both, and they are those of the interface', () => {
   const names = both(['--help']).map(({ status, stdout }) => {
     expect(status).toBe(0);
@@ -193,7 +222,7 @@ test('--help lists the same options in both, and they are those of the interface
   });
   expect(names[1]).toEqual(names[0]);
   const dashed = (name) => name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
-  const own = ['--check', '--help', '--json', '--output', '--version'];
+  const own = ['--check', '--help', '--json', '--output', '--save-grid', '--version'];
   const fromTable = Object.entries({ ...buildOptions, ...extractOptions }).map(([name, spec]) =>
     spec.kind === 'flag' && spec.default ? `--no-${dashed(name)}` : `--${dashed(name)}`,
   );

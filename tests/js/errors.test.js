@@ -22,6 +22,17 @@ const withIndex = (index, value) => {
 };
 // As 64-bit numbers this is more than WebAssembly can address; here it is pages never touched.
 const enormous = () => ({ positions: new Float32Array(540_000_000) });
+const savedGrid = () => {
+  const grid = kdm.buildGrid(cube());
+  const bytes = grid.save();
+  grid.delete();
+  return bytes;
+};
+const damagedGrid = () => {
+  const bytes = savedGrid();
+  bytes[bytes.length >> 1] ^= 4;
+  return bytes;
+};
 const deletedGrid = () => {
   const grid = kdm.buildGrid(cube());
   grid.delete();
@@ -175,8 +186,37 @@ const table = [
     'PARSE_ERROR',
     /cut\.stl/,
   ],
+  [
+    'a crease angle beyond 180',
+    () => kdm.buildGrid(cube()).extract({ creaseAngle: 181 }),
+    'INVALID_OPTION',
+    /creaseAngle.*0 to 180.*181/,
+  ],
+  [
+    'corner normals of the wrong length',
+    () => kdm.formatMesh({ ...cube(), cornerNormals: new Float32Array(9) }, 'obj'),
+    'INVALID_MESH',
+    /cornerNormals.*9.*36/,
+  ],
+  [
+    'corner normals that are not finite',
+    () => kdm.formatMesh({ ...cube(), cornerNormals: new Float32Array(108).fill(NaN) }, 'obj'),
+    'INVALID_MESH',
+    /corner_normals\[0\]/,
+  ],
+  ['no bytes of a grid', () => kdm.loadGrid('kdgrid'), 'INVALID_OPTION', /content.*string/],
+  ['null for a grid', () => kdm.loadGrid(null), 'INVALID_OPTION', /content.*null/],
+  ['an empty grid file', () => kdm.loadGrid(new Uint8Array()), 'PARSE_ERROR', /grid: byte 0/],
+  ['a grid cut off', () => kdm.loadGrid(savedGrid().slice(0, -1)), 'PARSE_ERROR', /cut off/],
+  [
+    'a damaged grid',
+    () => kdm.loadGrid(damagedGrid(), 'a.kdgrid'),
+    'PARSE_ERROR',
+    /a\.kdgrid.*damaged/,
+  ],
   ['a stop by the callback', build(torus(64, 64), { onProgress: () => false }), 'ABORTED', /./],
   ['use after delete: extract', () => deletedGrid().extract(), 'DELETED', /deleted/],
+  ['use after delete: save', () => deletedGrid().save(), 'DELETED', /deleted/],
   ['use after delete: stats', () => deletedGrid().stats, 'DELETED', /deleted/],
   ['use after delete: input', () => deletedGrid().input, 'DELETED', /deleted/],
   ['more memory than there is', () => kdm.buildGrid(enormous()), 'OUT_OF_MEMORY', /memory/],

@@ -13,6 +13,7 @@ beforeAll(async () => {
 function round(mesh) {
   const grid = kdm.buildGrid(mesh, { strategy: 'octree', depth: 12 });
   grid.extract();
+  kdm.loadGrid(grid.save()).delete();
   kdm.describe(mesh);
   grid.delete();
 }
@@ -29,11 +30,14 @@ test('100 failures of each kind', () => {
   const mesh = torus();
   const open = { positions: mesh.positions, indices: mesh.indices.slice(3) };
   const cut = kdm.formatMesh(mesh, 'stl').slice(0, 1000);
+  const damaged = kdm.buildGrid(mesh).save();
+  damaged[damaged.length - 9] ^= 1;
   const failures = [
     () => kdm.buildGrid(open),
     () => kdm.buildGrid(mesh, { onProgress: () => false }),
     () => kdm.buildGrid(mesh, { onProgress: (fraction) => fraction < 0.3 }),
     () => kdm.parseMesh(cut, 'stl'),
+    () => kdm.loadGrid(damaged),
     () => kdm.parseMesh('f 1 2 3', 'obj'),
   ];
   const fail = () => failures.forEach((failure) => expect(failure).toThrow());

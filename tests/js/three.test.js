@@ -100,3 +100,35 @@ test('64-bit positions and soups are shown too', () => {
   expect(soup.getAttribute('position').array.constructor.name).toBe('Float32Array');
   expect(soup.getIndex()).toBeNull();
 });
+
+test('corner normals become an attribute, with a vertex for each normal at a crease', () => {
+  for (const quads of [false, true]) {
+    const result = convert(cube(), { normals: true, quads });
+    const geometry = toBufferGeometry(result);
+    const position = geometry.getAttribute('position');
+    const normal = geometry.getAttribute('normal');
+    const index = geometry.getIndex();
+    expect(normal.count).toBe(position.count);
+    expect(index.count).toBe(result.indices.length + ((result.quads?.length ?? 0) / 4) * 6);
+    // Each face's plane is that of its corners' normals, and no two vertices are the same.
+    const [a, b, c, n] = [new Vector3(), new Vector3(), new Vector3(), new Vector3()];
+    for (let i = 0; i < index.count; i += 3) {
+      const corners = [0, 1, 2].map((k) => index.getX(i + k));
+      [a, b, c].forEach((p, k) => p.fromBufferAttribute(position, corners[k]));
+      const across = b.sub(a).cross(c.sub(a)).normalize();
+      for (const corner of corners) {
+        expect(n.fromBufferAttribute(normal, corner).dot(across)).toBeCloseTo(1, 3);
+      }
+    }
+    const keys = Array.from({ length: position.count }, (_, i) =>
+      [position, normal].map((x) => [x.getX(i), x.getY(i), x.getZ(i)].map((v) => v + 0)).join(),
+    );
+    expect(new Set(keys).size).toBe(keys.length);
+    // Vertices on the cube's edges are there more than once.
+    const places = new Set(keys.map((key) => key.split(',').slice(0, 3).join()));
+    expect(places.size).toBe(result.positions.length / 3);
+    expect(position.count).toBeGreaterThan(places.size);
+  }
+  const smooth = toBufferGeometry(convert(cube(), { normals: true, creaseAngle: 180 }));
+  expect(smooth.getAttribute('position').count).toBe(convert(cube()).positions.length / 3);
+});

@@ -40,7 +40,9 @@ const options: BuildOptions = { strategy: 'median', depth: 12, pairing: 'trace' 
 const grid: Grid = kdm.buildGrid(indexed, options);
 const mesh: Mesh = grid.extract({ strict: false });
 const triangles: Uint32Array = mesh.indices;
+const saved: Uint8Array = grid.save();
 grid[Symbol.dispose]();
+kdm.loadGrid(saved, 'part.kdgrid').delete();
 
 {
   using scoped = kdm.buildGrid(soup);

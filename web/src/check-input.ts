@@ -39,7 +39,13 @@ export function checkPolygonMesh(mesh: PolygonMeshInput): PolygonMeshInput {
   if (typeof mesh !== 'object' || mesh === null) {
     fail(`mesh: expected an object with positions and indices, got ${kindOf(mesh)}`);
   }
-  const { positions, indices = null, quads = null, sourceFaces = null } = mesh;
+  const {
+    positions,
+    indices = null,
+    quads = null,
+    sourceFaces = null,
+    cornerNormals = null,
+  } = mesh;
   demandKind(positions, 'positions', ['Float32Array', 'Float64Array'], 3);
   for (let i = 0; i < positions.length; ++i) {
     const value = positions[i] as number;
@@ -66,7 +72,16 @@ export function checkPolygonMesh(mesh: PolygonMeshInput): PolygonMeshInput {
       fail(`sourceFaces: length ${sourceFaces.length}, but there are ${faces} faces`);
     }
   }
-  return { positions, indices, quads, sourceFaces };
+  if (cornerNormals !== null) {
+    demandKind(cornerNormals, 'cornerNormals', ['Float32Array'], 3);
+    const corners = (indices?.length ?? vertices) + (quads?.length ?? 0);
+    if (cornerNormals.length !== 3 * corners) {
+      fail(
+        `cornerNormals: length ${cornerNormals.length}, but there are ${corners} corners of faces`,
+      );
+    }
+  }
+  return { positions, indices, quads, sourceFaces, cornerNormals };
 }
 
 /** The same for a mesh to be converted: triangles, at least one. */
@@ -98,8 +113,16 @@ function checkOption(name: string, value: unknown, spec: OptionSpec): void {
       }
       break;
     case 'number':
-      if (!Number.isFinite(value) || (value as number) < spec.min) {
-        refuse(`a finite number not below ${spec.min}`);
+      if (
+        !Number.isFinite(value) ||
+        (value as number) < spec.min ||
+        (value as number) > (spec.max ?? Infinity)
+      ) {
+        refuse(
+          spec.max === undefined
+            ? `a finite number not below ${spec.min}`
+            : `a number from ${spec.min} to ${spec.max}`,
+        );
       }
       break;
     case 'flag':

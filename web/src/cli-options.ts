@@ -3,6 +3,7 @@
 // on by default as --no-..., and a few of the command line's own.
 import { parseArgs, type ParseArgsConfig } from 'node:util';
 import { KdManifoldError } from './errors.js';
+import { namesAGrid } from './library.js';
 import { buildOptions, extractOptions, type OptionSpec } from './options.js';
 import type { BuildOptions, ExtractOptions } from './types.js';
 
@@ -10,6 +11,7 @@ import type { BuildOptions, ExtractOptions } from './types.js';
 export interface Command {
   input: string;
   output?: string;
+  saveGrid?: string;
   build: BuildOptions;
   extract: ExtractOptions;
   json: boolean;
@@ -42,6 +44,7 @@ type Values = Record<string, unknown>;
 export function readCommand(args: string[]): Command {
   const options: NonNullable<ParseArgsConfig['options']> = {
     output: { type: 'string', short: 'o' },
+    'save-grid': { type: 'string' },
     help: { type: 'boolean', short: 'h' },
   };
   for (const name of Object.keys(ownFlags)) options[name] ??= { type: 'boolean' };
@@ -52,6 +55,7 @@ export function readCommand(args: string[]): Command {
   const command: Command = {
     input: positionals[0] ?? '',
     output: values.output as string | undefined,
+    saveGrid: values['save-grid'] as string | undefined,
     build: readTable(buildOptions, values),
     extract: readTable(extractOptions, values['no-strict'] ? { ...values, strict: 'off' } : values),
     json: values.json === true,
@@ -63,6 +67,14 @@ export function readCommand(args: string[]): Command {
   if (positionals.length === 0) usageError('INPUT is required (--help lists the options)');
   if (positionals.length > 1) {
     usageError(`'${positionals[1]}': only one input is expected (--help lists the options)`);
+  }
+  if (command.saveGrid !== undefined && !namesAGrid(command.saveGrid)) {
+    usageError(`--save-grid: '${command.saveGrid}' does not end in .kdgrid`);
+  }
+  for (const name of Object.keys(command.build)) {
+    if (namesAGrid(command.input)) {
+      usageError(`--${dashed(name)}: the grid in ${command.input} is built already`);
+    }
   }
   return command;
 }
@@ -98,15 +110,22 @@ function readValue(name: string, spec: OptionSpec, text: string): string | numbe
     case 'integer':
       if (/^\d+$/.test(text) && value >= spec.min && value <= spec.max) return value;
       return usageError(`--${name}: '${text}' is no whole number from ${spec.min} to ${spec.max}`);
-    default:
-      if (/^(\d|\.\d)/.test(text) && Number.isFinite(value)) return value;
-      return usageError(`--${name}: '${text}' is no number from 0 on`);
+    case 'number':
+      if (/^(\d|\.\d)/.test(text) && value <= (spec.max ?? Number.MAX_VALUE)) return value;
+      return usageError(
+        `--${name}: '${text}' is no number from 0 ${spec.max === undefined ? 'on' : `to ${spec.max}`}`,
+      );
+    case 'flag':
+      return usageError(`--${name} takes no value`);
   }
 }
 
 /** What --help prints. */
 export function helpText(): string {
-  const lines: [string, string][] = [['-o, --output FILE', 'where the result goes']];
+  const lines: [string, string][] = [
+    ['-o, --output FILE', 'where the result goes'],
+    ['--save-grid FILE', 'where the grid goes, to be INPUT another time (.kdgrid)'],
+  ];
   for (const [name, spec] of Object.entries({ ...buildOptions, ...extractOptions })) {
     const standard = spec.default === undefined ? '' : ` (${String(spec.default)})`;
     if (spec.kind === 'choice') {
@@ -124,7 +143,7 @@ export function helpText(): string {
   }
   return [
     'Makes a closed, oriented 2-manifold mesh of a closed mesh.',
-    'Formats by extension: OBJ, STL, PLY, OFF.',
+    'Formats by extension: OBJ, STL, PLY, OFF; saved grids: .kdgrid.',
     '',
     'Usage: kdmanifold [OPTIONS] INPUT',
     '',

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The account of one run of the command line, word for word as src/cli/report.cpp writes it.
 import type { Command } from './cli-options.js';
+import { namesAGrid } from './library.js';
 import type { ExtractReport, GridStats, InputReport, MeshReport } from './types.js';
 
 /** What is reported. */
@@ -76,7 +77,7 @@ export function reportAsText(report: CliReport, command: Command): string {
     );
   }
   lines.push(
-    `grid     ${command.build.strategy ?? 'adaptive'}, depth ${grid.depth}: ${grid.cells} cells, ` +
+    `grid     ${namesAGrid(command.input) ? 'loaded' : (command.build.strategy ?? 'adaptive')}, depth ${grid.depth}: ${grid.cells} cells, ` +
       `${grid.hits} hits, ${(grid.bytes / 1e6).toFixed(1)} MB${topologyText(grid)}`,
     `output   ${command.output === undefined ? '' : `${command.output}: `}` +
       `${output.vertices} vertices, ${faces}, ${output.components} parts, ` +

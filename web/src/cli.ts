@@ -7,7 +7,8 @@ import { fileURLToPath } from 'node:url';
 import { helpText, readCommand, type Command } from './cli-options.js';
 import { reportAsJson, reportAsText, type CliReport } from './cli-report.js';
 import { KdManifoldError } from './errors.js';
-import { formatFromPath } from './library.js';
+import type { Grid } from './grid.js';
+import { formatFromPath, namesAGrid } from './library.js';
 import { load } from './load.js';
 
 const notManifold = 1;
@@ -47,19 +48,26 @@ function convertFile(library: Awaited<ReturnType<typeof load>>, command: Command
   const { input, output } = command;
   // Known in advance, so said before the work rather than after it.
   const outputFormat = output === undefined ? undefined : formatFromPath(output);
-  const inputFormat = formatFromPath(input);
   const seconds: CliReport['seconds'] = { read: 0, build: 0, extract: 0 };
   const lap = stopwatch();
-  const mesh = library.parseMesh(readInput(input), inputFormat, input);
-  seconds.read = lap();
-  const grid = library.buildGrid(mesh, command.build);
-  seconds.build = lap();
+  let grid: Grid;
+  if (namesAGrid(input)) {
+    grid = library.loadGrid(readInput(input), input);
+    seconds.read = lap();
+  } else {
+    const inputFormat = formatFromPath(input);
+    const mesh = library.parseMesh(readInput(input), inputFormat, input);
+    seconds.read = lap();
+    grid = library.buildGrid(mesh, command.build);
+    seconds.build = lap();
+  }
   const { report, ...result } = grid.extract(command.extract);
   seconds.extract = lap();
   if (output !== undefined && outputFormat !== undefined) {
     writeWhole(output, library.formatMesh(result, outputFormat));
-    seconds.write = lap();
   }
+  if (command.saveGrid !== undefined) writeWhole(command.saveGrid, grid.save());
+  if (output !== undefined || command.saveGrid !== undefined) seconds.write = lap();
   return {
     input: grid.input,
     grid: grid.stats,

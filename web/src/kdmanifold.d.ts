@@ -19,6 +19,7 @@ export type RawProgress = ((fraction: number, phase: string) => boolean) | null;
 
 export interface RawGrid {
   extract(options: object, progress: RawProgress): Answer<ExtractedMesh>;
+  save(): Answer<Uint8Array<ArrayBuffer>>;
   stats(): GridStats;
   input(): InputReport;
   delete(): void;
@@ -26,6 +27,7 @@ export interface RawGrid {
 
 export interface RawModule {
   buildGrid(mesh: PolygonMeshInput, options: object, progress: RawProgress): Answer<RawGrid>;
+  loadGrid(bytes: Uint8Array, name: string): Answer<RawGrid>;
   parseMesh(bytes: Uint8Array, format: string, name: string): Answer<ParsedMesh>;
   formatMesh(mesh: PolygonMeshInput, format: string): Answer<Uint8Array<ArrayBuffer>>;
   describe(mesh: PolygonMeshInput): Answer<MeshReport>;

@@ -28,6 +28,11 @@ export function formatFromPath(path: string): MeshFormat {
   );
 }
 
+/** Is this the name of a saved grid? They end in `.kdgrid` (any case). */
+export function namesAGrid(path: string): boolean {
+  return /\.kdgrid$/i.test(path);
+}
+
 /** The library, loaded: everything happens on the calling thread and is done when it returns. */
 export class KdManifold {
   readonly #raw: RawModule;
@@ -65,6 +70,17 @@ export class KdManifold {
     return Grid.of(raw, this.#registry, this.#health);
   }
 
+  /**
+   * The grid that `Grid.save` or the command line's `--save-grid` made. All of it is checked: bytes
+   * that are cut off, damaged or made up are refused (`PARSE_ERROR`); `name` is what error messages
+   * call them.
+   */
+  loadGrid(content: Uint8Array | ArrayBuffer, name = 'grid'): Grid {
+    const bytes = bytesOf(content);
+    const raw = call(this.#health, undefined, () => this.#raw.loadGrid(bytes, name));
+    return Grid.of(raw, this.#registry, this.#health);
+  }
+
   /** Counts what there is to be counted: parts, open edges, whether the mesh is 2-manifold. */
   describe(mesh: PolygonMeshInput): MeshReport {
     const input = checkPolygonMesh(mesh);
@@ -85,11 +101,7 @@ export class KdManifold {
   ): ParsedMesh {
     checkFormat(format);
     const bytes =
-      typeof content === 'string'
-        ? new TextEncoder().encode(content)
-        : ArrayBuffer.isView(content)
-          ? new Uint8Array(content.buffer, content.byteOffset, content.byteLength)
-          : new Uint8Array(content);
+      typeof content === 'string' ? new TextEncoder().encode(content) : bytesOf(content);
     return call(this.#health, undefined, () => this.#raw.parseMesh(bytes, format, name));
   }
 
@@ -104,6 +116,20 @@ export class KdManifold {
   memory(): { heapBytes: number; usedBytes: number } {
     return this.#raw.memory();
   }
+}
+
+/** A view of bytes, also of buffers from another frame. */
+function bytesOf(content: Uint8Array | ArrayBuffer): Uint8Array {
+  if (ArrayBuffer.isView(content)) {
+    return new Uint8Array(content.buffer, content.byteOffset, content.byteLength);
+  }
+  if (/^\[object (Shared)?ArrayBuffer\]$/.test(Object.prototype.toString.call(content))) {
+    return new Uint8Array(content);
+  }
+  throw new KdManifoldError(
+    'INVALID_OPTION',
+    `content: expected a Uint8Array or an ArrayBuffer, got ${content === null ? 'null' : typeof content}`,
+  );
 }
 
 function checkFormat(format: string): void {

@@ -8,7 +8,7 @@ import type { BuildOptions, ExtractOptions } from './types.js';
 export type OptionSpec =
   | { kind: 'choice'; values: readonly string[]; default: string; help: string }
   | { kind: 'integer'; min: number; max: number; default: number | undefined; help: string }
-  | { kind: 'number'; min: number; default: number; help: string }
+  | { kind: 'number'; min: number; max?: number; default: number; help: string }
   | { kind: 'flag'; default: boolean; help: string };
 
 type Table<T> = { readonly [K in keyof Required<T>]: OptionSpec };
@@ -62,6 +62,12 @@ export const extractOptions: Table<ExtractOptions> = {
     default: 0,
     help: 'split vertices further than this from a plane, in model units; 0: features',
   },
+  position: {
+    kind: 'choice',
+    values: ['constrained', 'projection'],
+    default: 'constrained',
+    help: 'how vertices are kept within their cells',
+  },
   quads: { kind: 'flag', default: false, help: 'write quads where four leaves meet' },
   unfold: { kind: 'flag', default: true, help: 'flip edges of triangles that are folded over' },
   linkError: {
@@ -75,5 +81,12 @@ export const extractOptions: Table<ExtractOptions> = {
     values: ['off', 'manifold', 'embedded'],
     default: 'manifold',
     help: 'what the index mesh must be; embedded: nothing crosses',
+  normals: { kind: 'flag', default: false, help: 'write normals at the corners of faces (OBJ)' },
+  creaseAngle: {
+    kind: 'number',
+    min: 0,
+    max: 180,
+    default: 30,
+    help: 'normals differ where faces turn by more, 0 to 180 degrees',
   },
 };

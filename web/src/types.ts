@@ -16,6 +16,8 @@ export interface MeshInput {
 export interface PolygonMeshInput extends MeshInput {
   /** Vertex numbers, four per quad. */
   quads?: Uint32Array | null;
+  /** Unit normals for shading, three numbers per corner of a triangle, then of a quad. */
+  cornerNormals?: Float32Array | null;
 }
 
 /** A mesh as the library gives it: copies that the caller owns. */
@@ -28,6 +30,11 @@ export interface Mesh {
   quads?: Uint32Array<ArrayBuffer>;
   /** The input face behind each face: one entry a triangle, then one a quad. */
   sourceFaces: Uint32Array<ArrayBuffer>;
+  /**
+   * Unit normals for shading, nine numbers per triangle (three per corner), then twelve per quad; only
+   * with the option `normals`. Vertices on a crease are not doubled: `kdmanifold/three` does that.
+   */
+  cornerNormals?: Float32Array<ArrayBuffer>;
 }
 
 /** A mesh from a file; positions as precise as the file has them. */
@@ -103,6 +110,12 @@ export interface ExtractOptions {
    */
   splitError?: number;
   /**
+   * Where a vertex goes if the best place for it lies outside of its cell:
+   * - `constrained` (default): to the best place within the cell
+   * - `projection`: to the point of the cell that is nearest to the best place
+   */
+  position?: 'constrained' | 'projection';
+  /**
    * Flip edges of triangles that are folded over their neighbours, where that lays them flat (default
    * true). Takes away most self-intersections. Not with `quads`.
    */
@@ -120,6 +133,13 @@ export interface ExtractOptions {
    * - `off`: the raw dual surface, whose half-edges are manifold but not its vertex numbers
    */
   strict?: 'off' | 'manifold' | 'embedded';
+  /** Give every corner of the faces a normal for shading, from the input's (default false). */
+  normals?: boolean;
+  /**
+   * With `normals`: where neighbouring faces turn by more than this there is a crease, and their corners
+   * keep different normals; degrees, 0 (all but flat parts) to 180 (no crease at all), default 30.
+   */
+  creaseAngle?: number;
 }
 
 /** What a long synchronous call takes besides. */

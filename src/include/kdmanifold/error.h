@@ -12,7 +12,7 @@ enum class ErrorCode {
                    ///< value
   kInvalidOption,  ///< an option is out of its range: the message names it and the range
   kNotClosed,      ///< the input is open or inconsistently oriented: count and first edge at fault
-  kParseError,     ///< a file's content is malformed: the message names the line or byte
+  kParseError,     ///< a file's content is malformed: the message names line, byte or rule
   kIoError,        ///< a file cannot be opened, read or written
   kOutOfMemory,    ///< an allocation failed; nothing was kept
   kAborted,        ///< the progress callback asked to stop

@@ -20,6 +20,12 @@ enum class Strict {
   kEmbedded
 };
 
+/// Where a vertex goes if the best place for it lies outside of its leaf (paper 2.2.1).
+enum class VertexPosition {
+  kConstrained,  ///< where the squared distances to its planes are least within the leaf (default)
+  kProjection    ///< to the point of the leaf that is nearest to the best place
+};
+
 struct ExtractOptions {
   /// Join the two triangles of an edge where four leaves meet to one quad (all of them on a
   /// uniform grid). Quads need not be planar.
@@ -29,6 +35,8 @@ struct ExtractOptions {
   /// never. 0: where they are further off than the grid's tolerance and 0.3 times the way to the
   /// furthest of their hits, but never with `quads`.
   double split_error = 0;
+  /// How vertices are kept within their leaves.
+  VertexPosition position = VertexPosition::kConstrained;
   /// Flip edges of triangles that are folded over their neighbours, where that lays them flat.
   /// Takes away most self-intersections. Not with `quads`.
   bool unfold = true;
@@ -37,6 +45,13 @@ struct ExtractOptions {
   /// tolerance. Not with `quads`.
   double link_error = 0;
   Strict strict = Strict::kManifold;
+  /// Give every corner of the faces a normal for shading, from the input's normals at the hits. The
+  /// mesh stays what it is: vertices on a crease are not doubled.
+  bool normals = false;
+  /// Where the normals of neighbouring faces turn by more than this there is a crease and their
+  /// corners keep different normals; degrees, 0 (all but flat parts) to 180 (no crease at all).
+  /// With `normals` only.
+  double crease_angle = 30;
 };
 
 struct ExtractReport {

@@ -6,6 +6,7 @@
 #include "kdmanifold/error.h"
 #include "kdmanifold/extract.h"
 #include "kdmanifold/grid.h"
+#include "kdmanifold/grid_io.h"
 #include "kdmanifold/mesh.h"
 #include "kdmanifold/mesh_io.h"
 #include "kdmanifold/progress.h"

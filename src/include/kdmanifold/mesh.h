@@ -17,6 +17,9 @@ struct Mesh {
   /// `read_mesh`: the file's face (from 0) that the triangle was cut from.
   /// `extract`: the same of the input triangle, or that triangle's own number if it had none.
   std::vector<Index> source_faces;
+  /// Unit normals for shading, or empty: three a triangle in the order of its corners, then four a
+  /// quad. `extract` makes them on request; of the file formats, OBJ keeps them.
+  std::vector<std::array<float, 3>> corner_normals;
 };
 
 /// Counts over the mesh as an index mesh: two faces meet where they use the same vertex numbers.

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// Half-edges of a loaded grid: where they start follows from the faces, and so do most links; the
+// others are read.
+#pragma once
+
+#include <vector>
+
+#include "grid/faces.h"
+#include "grid/grid_format.h"
+#include "mesh/bytes.h"
+
+namespace kdm {
+
+/// To be called with every minimal face, and `finish`ed. Throws as the reader does.
+class LinkReader {
+ public:
+  LinkReader(ByteReader& bytes, GridData& grid) : bytes_(bytes), grid_(grid) {
+    grid_.opposite.assign(3 * grid.hits.size(), kNone);
+    grid_.start.assign(3 * grid.hits.size(), kNone);
+  }
+
+  void operator()(const MinimalFace& face) {
+    const bool stored = grid_format::has_stored_links(face);
+    if (stored) ++grid_.stats.ambiguous_faces;
+    if (face.strip()) {
+      link_strip(face);
+      return;
+    }
+    open_.clear();
+    for_each_hit(face, [&](const FaceEdge& edge, Index hit, int) {
+      const End end = end_of(edge, hit);
+      if (stored ? next_bit() : open_.empty()) {
+        open_.push_back(end);
+      } else {
+        if (open_.empty()) bytes_.fail("a link of a minimal face ends that has not begun");
+        link(face, open_.back(), end, 0);
+        open_.pop_back();
+      }
+    });
+    if (!open_.empty()) bytes_.fail("a link of a minimal face has no end");
+  }
+
+  void finish() const {
+    if (bytes_.bytes_left() > 0 || byte_ != 0) bytes_.fail("the links end here, but not the file");
+  }
+
+ private:
+  struct End {
+    Index half_edge;
+    bool starts_below;
+  };
+
+  End end_of(const FaceEdge& edge, Index hit) const {
+    return {3 * hit + edge.slot, starts_below(edge, grid_.hits[hit].reversed())};
+  }
+
+  void link_strip(const MinimalFace& face) {
+    const std::size_t first = face.lo(0) == face.hi(0) ? 1 : 0;
+    const FaceEdge& a = face.edges[first];
+    const FaceEdge& b = face.edges[first + 2];
+    if (a.size() != b.size()) bytes_.fail("the long sides of a strip carry different hits");
+    for (Index i = 0; i < a.size(); ++i) {
+      link(face, end_of(a, a.begin + i), end_of(b, b.begin + i), GridData::kStrip);
+    }
+  }
+
+  void link(const MinimalFace& face, const End& a, const End& b, std::uint32_t strip) {
+    if (a.starts_below == b.starts_below) bytes_.fail("a link joins hits that do not fit");
+    grid_.opposite[a.half_edge] = b.half_edge;
+    grid_.opposite[b.half_edge] = a.half_edge;
+    grid_.start[a.half_edge] = (a.starts_below ? face.below : face.above) | strip;
+    grid_.start[b.half_edge] = (b.starts_below ? face.below : face.above) | strip;
+  }
+
+  bool next_bit() {
+    if (bits_ == 0) {
+      bytes_.require(1, 1, "byte of links");
+      byte_ = bytes_.take_unsigned<std::uint8_t>();
+      bits_ = 8;
+    }
+    const bool bit = (byte_ & 1u) != 0;
+    byte_ >>= 1;
+    --bits_;
+    return bit;
+  }
+
+  ByteReader& bytes_;
+  GridData& grid_;
+  std::vector<End> open_;
+  unsigned byte_ = 0;  // what is left of the last one
+  int bits_ = 0;
+};
+
+}  // namespace kdm

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// Saving grids, so that one is built once and extracted from many times.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "kdmanifold/grid.h"
+
+namespace kdm {
+
+/// The grid with its hits, planes, links and reports, in a format of this library's own (described
+/// in src/grid/grid_format.h): 17 to 27 bytes a hit, a third of the grid's memory or less. The same
+/// grid gives the same bytes on every platform. Linear in the grid. Throws `kOutOfMemory`.
+std::vector<std::uint8_t> save_grid(const Grid& grid);
+
+/// The grid back: what is extracted from it is the same to the last bit, and saving it again gives
+/// the same bytes. `stats().bytes` may be less, for planes without hits are not kept. Linear in the
+/// bytes, in time and in memory. Everything is checked: bytes that are cut off, damaged or made up
+/// give `kParseError`, with the byte or the broken rule, as does a version this library does not
+/// know; `name` is what messages call the source. Throws `kOutOfMemory`.
+Grid load_grid(std::span<const std::uint8_t> bytes, std::string_view name = "grid");
+
+/// Does the file's name end in `.kdgrid` (any case), as the names of saved grids do?
+bool names_a_grid(std::string_view path);
+
+/// Saves into a file, which appears complete or not at all. Throws `kIoError`, also if its name
+/// does not end in `.kdgrid`, and `kOutOfMemory`.
+void write_grid(const std::string& path, const Grid& grid);
+
+/// Loads from a file. Throws `kIoError` if it cannot be read, else as `load_grid` does.
+Grid read_grid(const std::string& path);
+
+}  // namespace kdm
