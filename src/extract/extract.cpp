@@ -12,6 +12,7 @@
 #include "extract/strict.h"
 #include "extract/unfold.h"
 #include "kdmanifold/error.h"
+#include "mesh/topology.h"
 
 namespace kdm {
 namespace {
@@ -95,6 +96,7 @@ ExtractedMesh extract(const Grid& handle, const ExtractOptions& options,
   if (options.strict) out.report.inserted_vertices = separate_double_edges(points, mesh);
   if (options.unfold && !options.quads) out.report.flipped_edges = unfold(grid, mesh);
   out.report.dropped_pillows = mesh.dropped_pillows;
+  if (mesh.open) out.report.boundary_loops = count_boundary_loops(mesh.opposite);
   emit(grid, mesh, options.quads, out);
   report(progress, 1.0, "faces");
   return out;

@@ -31,6 +31,7 @@ struct ExtractReport {
   Index inserted_vertices = 0;  ///< vertices added to keep edges apart
   Index split_vertices = 0;     ///< vertices added for further features of a leaf
   Index flipped_edges = 0;      ///< of triangles that were folded over
+  Index boundary_loops = 0;     ///< closed walks along the boundary; only sheets have one
 };
 
 /// A mesh with the account of how it was made.
@@ -38,7 +39,8 @@ struct ExtractedMesh : Mesh {
   ExtractReport report;
 };
 
-/// The surface of the grid: closed, oriented outwards, 2-manifold. Linear in the hits.
+/// The surface of the grid: closed, oriented outwards, 2-manifold. Of a sheet: a 2-manifold with
+/// boundary, turned as the input is. Linear in the hits.
 ExtractedMesh extract(const Grid& grid, const ExtractOptions& options = {},
                       const Progress& progress = {});
 
