@@ -8,6 +8,7 @@
 
 #include <cmath>
 
+#include "build/crowded_edges.h"
 #include "geometry/predicates.h"
 #include "kdmanifold/error.h"
 #include "mesh/cancel.h"
@@ -192,6 +193,7 @@ Surface prepare_surface(const Mesh& mesh, bool sheet) {
   Surface surface;
   surface.sheet = sheet;
   surface.topology = build_topology(faces.triangles, static_cast<Index>(points.size()));
+  if (sheet) pair_straightest(faces.triangles, points, surface.topology);
   surface.report.closed = surface.topology.closed();
   if (!surface.report.closed && !sheet) throw_not_closed(faces, points, surface.topology);
   surface.report.boundary_loops = count_boundary_loops(surface.topology.twin);
