@@ -34,6 +34,7 @@ const optionSets = [
   ['--strategy', 'median', '--depth', '15', '--inside', 'nonzero'],
   ['--strategy', 'uniform', '--depth', '12', '--quads', '--pairing', 'hermite'],
   ['--strategy', 'uniform', '--depth', '9', '--no-strict', '--inside', 'odd'],
+  ['--strategy', 'octree', '--depth', '15', '--inside', 'sheet'],
 ];
 
 test.each(optionSets.map((set) => [set.join(' '), set]))(

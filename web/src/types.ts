@@ -80,8 +80,11 @@ export interface BuildOptions {
    * - `positive` (default): above 0, the union of overlapping and nested shells
    * - `odd`: odd ones
    * - `nonzero`: all but 0
+   * - `sheet`: there is no inside; all of the surface is kept, as it is turned, and open surfaces stay
+   *   open: the result is a manifold with boundary. Any mesh will do; it comes apart where neighbours
+   *   are turned against each other
    */
-  inside?: 'positive' | 'odd' | 'nonzero';
+  inside?: 'positive' | 'odd' | 'nonzero' | 'sheet';
   /**
    * How hits are linked where a minimal face carries more than two:
    * - `trace` (default): as the input's surface crosses the face
@@ -125,6 +128,8 @@ export interface InputReport {
   /** Every edge is used equally often in both directions. */
   closed: boolean;
   boundaryEdges: number;
+  /** Of the edges at which the surface ends. */
+  boundaryLoops: number;
   /** Edges with three or more faces. */
   nonManifoldEdges: number;
   /** Faces without area on the lattice; they take no part. */
@@ -173,6 +178,8 @@ export interface ExtractReport {
   splitVertices: number;
   /** Edges of triangles that were folded over. */
   flippedEdges: number;
+  /** Closed walks along the boundary; only sheets have one. */
+  boundaryLoops: number;
 }
 
 /** What `Grid.extract` gives. */
@@ -189,6 +196,8 @@ export interface MeshReport {
   unreferencedVertices: number;
   /** Edges with one face. */
   boundaryEdges: number;
+  /** Connected parts of the boundary edges. */
+  boundaryLoops: number;
   /** Edges with three or more faces. */
   nonManifoldEdges: number;
   /** Edges whose two faces run the same way along it. */
@@ -207,6 +216,8 @@ export interface MeshReport {
   closed: boolean;
   /** Closed, and none of the faults above. */
   twoManifold: boolean;
+  /** The same, but there may be a boundary. */
+  manifold: boolean;
   /** Signed; positive where normals point outwards. */
   volume: number;
   area: number;
@@ -232,6 +243,8 @@ export interface OutputReport extends ExtractReport {
   eulerCharacteristic: number;
   /** Closed, and every edge and every vertex is that of a surface, consistently oriented. */
   twoManifold: boolean;
+  /** The same, but there may be a boundary: what a sheet comes out as. */
+  manifold: boolean;
   closed: boolean;
   volume: number;
   area: number;
