@@ -18,10 +18,11 @@ inline constexpr std::array<Named<SplitStrategy>, 5> kStrategies = {
      {"feature", SplitStrategy::kFeature},
      {"median", SplitStrategy::kMedian},
      {"uniform", SplitStrategy::kUniform}}};
-inline constexpr std::array<Named<InsideRule>, 3> kInsideRules = {
+inline constexpr std::array<Named<InsideRule>, 4> kInsideRules = {
     {{"positive", InsideRule::kPositive},
      {"odd", InsideRule::kOdd},
-     {"nonzero", InsideRule::kNonzero}}};
+     {"nonzero", InsideRule::kNonzero},
+     {"sheet", InsideRule::kSheet}}};
 inline constexpr std::array<Named<Pairing>, 4> kPairings = {{{"trace", Pairing::kTrace},
                                                              {"hermite", Pairing::kHermite},
                                                              {"inside", Pairing::kInside},
@@ -72,6 +73,7 @@ inline val from_input_report(const InputReport& report) {
   to.set("triangles", report.triangles);
   to.set("closed", report.closed);
   to.set("boundaryEdges", report.boundary_edges);
+  to.set("boundaryLoops", report.boundary_loops);
   to.set("nonManifoldEdges", report.non_manifold_edges);
   to.set("degenerateFaces", report.degenerate_faces);
   to.set("cancelledFaces", report.cancelled_faces);
@@ -102,6 +104,7 @@ inline val from_mesh_report(const MeshReport& report) {
   to.set("quads", report.quads);
   to.set("unreferencedVertices", report.unreferenced_vertices);
   to.set("boundaryEdges", report.boundary_edges);
+  to.set("boundaryLoops", report.boundary_loops);
   to.set("nonManifoldEdges", report.non_manifold_edges);
   to.set("misorientedEdges", report.misoriented_edges);
   to.set("nonManifoldVertices", report.non_manifold_vertices);
@@ -111,6 +114,7 @@ inline val from_mesh_report(const MeshReport& report) {
   to.set("eulerCharacteristic", static_cast<double>(report.euler_characteristic));
   to.set("closed", report.closed);
   to.set("twoManifold", report.two_manifold);
+  to.set("manifold", report.manifold);
   to.set("volume", report.volume);
   to.set("area", report.area);
   to.set("bounds", from_box(report.bounds));
@@ -152,6 +156,7 @@ inline val extract(const Grid& grid, val options, val progress) {
     report.set("refinedHits", mesh.report.refined_hits);
     const std::optional<std::uint64_t>& crossings = mesh.report.crossings;
     report.set("crossings", crossings ? val(static_cast<double>(*crossings)) : val::null());
+    report.set("boundaryLoops", mesh.report.boundary_loops);
     to.set("report", report);
     return to;
   });

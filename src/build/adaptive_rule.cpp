@@ -9,6 +9,8 @@
 // Topology. Every piece is a disk that reaches the cell's edges, no face of the cell holds a closed
 // curve, no closed part lies all round one edge, and no two triangles cross (cell_analysis.h).
 // Where no leaf fails, the input comes out homeomorphic.
+// Sheets. A vertex on the rim must meet the planes through it as well; pieces may be half-disks.
+// Where sheets cross, each keeps its own vertices.
 // Overlap. Where shells cross, their pieces bound the solid together: one vertex must fit them all,
 // as it does on the crease of their union. Topology is neither pursued nor claimed there.
 #include <algorithm>
@@ -18,6 +20,7 @@
 
 #include "build/cell_analysis.h"
 #include "build/feature_point.h"
+#include "build/rim.h"
 #include "build/split_rules.h"
 #include "geometry/distance.h"
 #include "geometry/quadric.h"
@@ -68,6 +71,7 @@ class AdaptiveRule : public SplitRule {
     if (const std::optional<LatticeBox> target = unresolved_part(cell.box)) {
       return pursue(cell, *target);
     }
+    if (surface_.sheet) return std::nullopt;
     if (overlap_) return give_up();
     if (dropped_ || !analysis_.triangles_cross()) return std::nullopt;
     overlap_ = true;
@@ -214,7 +218,7 @@ class AdaptiveRule : public SplitRule {
     return together(own, piece) && analysis_.pieces()[own].kept > 0;
   }
 
-  bool vertex_fits(const LatticeBox& box, Index piece) const {
+  bool vertex_fits(const LatticeBox& box, Index piece) {
     Vec3 sum = Vec3::Zero();
     int count = 0;
     for (const PlannedHit& hit : hits_) {
@@ -222,15 +226,23 @@ class AdaptiveRule : public SplitRule {
       sum += hit.point;
       ++count;
     }
-    PrimalQuadric quadric(sum / count);
+    if (surface_.sheet) find_rim(box, piece);
+    PrimalQuadric quadric(rim_.empty() ? Vec3(sum / count) : rim_centre_);
     for (const PlannedHit& hit : hits_) {
       if (together(hit.piece, piece)) quadric.add(*hit.plane);
+    }
+    for (const Plane& plane : rim_) {
+      const double weight = std::sqrt(2.0 / static_cast<double>(rim_.size()));  // two will count
+      quadric.add({weight * plane.normal, weight * plane.offset});
     }
     const auto residual = [&](const Vec3& x) {
       double largest = 0;
       for (const PlannedHit& hit : hits_) {
         if (!together(hit.piece, piece)) continue;
         largest = std::max(largest, std::abs(hit.plane->normal.dot(x) - hit.plane->offset));
+      }
+      for (const Plane& plane : rim_) {
+        largest = std::max(largest, std::abs(plane.normal.dot(x) - plane.offset));
       }
       return largest;
     };
@@ -242,7 +254,22 @@ class AdaptiveRule : public SplitRule {
       const Plane& plane = surface_.planes[members[m]];
       if (std::abs(plane.normal.dot(vertex) - plane.offset) > tolerance_) return false;
     }
+    for (const Plane& plane : rim_) {
+      if (std::abs(plane.normal.dot(vertex) - plane.offset) > tolerance_) return false;
+    }
     return near_piece(vertex, piece);
+  }
+
+  // The planes through the piece's rim, and its centre.
+  void find_rim(const LatticeBox& box, Index piece) {
+    rim_.clear();
+    rim_centre_ = Vec3::Zero();
+    for (const Index side : analysis_.rims()) {
+      if (analysis_.piece_of_triangle(side / 3) != piece) continue;
+      rim_.push_back(rim_plane(surface_, side, surface_.planes[side / 3].normal));
+      rim_centre_ += rim_middle(surface_, side, box);
+    }
+    if (!rim_.empty()) rim_centre_ /= static_cast<double>(rim_.size());
   }
 
   bool near_piece(const Vec3& vertex, Index piece) const {
@@ -288,13 +315,15 @@ class AdaptiveRule : public SplitRule {
     const int longest = longest_axis(cell.box);
     if (cell.box.hi[longest] - cell.box.lo[longest] < floor_) return give_up();
     const int axis = longest_axis(target);
+    // A spike of a sheet has two rims at any size: it would be followed to its tip.
+    if (surface_.sheet && target.hi[axis] - target.lo[axis] < floor_) return give_up();
     return split_at(cell, axis, target.lo[axis] + (target.hi[axis] - target.lo[axis]) / 2);
   }
 
-  // A piece that no edge of the cell meets, or all of them.
+  // A piece that no edge of the cell meets, or that lies between two rims; else all of them.
   LatticeBox unresolved_bounds(const LatticeBox& box) const {
     for (const Piece& piece : analysis_.pieces()) {
-      if (piece.crossings == 0) return piece.bounds;
+      if (piece.crossings == 0 || piece.rims > 1) return piece.bounds;
     }
     return box;
   }
@@ -311,6 +340,8 @@ class AdaptiveRule : public SplitRule {
   Index unresolved_ = 0;
   CellCrossings crossings_;
   std::vector<PlannedHit> hits_;
+  std::vector<Plane> rim_;  // of the piece at hand
+  Vec3 rim_centre_;
 };
 
 }  // namespace

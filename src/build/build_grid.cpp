@@ -56,8 +56,9 @@ void report(const Progress& progress, double fraction, std::string_view phase) {
 Grid build_grid(const Mesh& mesh, const BuildOptions& options, const Progress& progress) try {
   check_options(options);
   report(progress, 0.0, "prepare");
-  Surface surface = prepare_surface(mesh);
+  Surface surface = prepare_surface(mesh, options.inside == InsideRule::kSheet);
   auto grid = std::make_unique<GridData>();
+  grid->sheet = surface.sheet;
   grid->lattice = surface.lattice;
   grid->input = surface.report;
   report(progress, 0.1, "build");

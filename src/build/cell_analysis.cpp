@@ -5,6 +5,9 @@
 // triangles, each cut to a convex set. So its Euler characteristic is vertices - edges + triangles
 // that meet the cell. Each piece that is a disk counts one, any other counts less, and a closed
 // piece is known by its lack of crossings with the cell's edges.
+// The rim of a sheet is left out of that sum, so that a half-disk counts as a disk, and looked at
+// by itself: its parts in the cell are rim edges - rim vertices in number, and a piece may have
+// one.
 #include "build/cell_analysis.h"
 
 #include <algorithm>
@@ -32,7 +35,17 @@ bool reaches_plane(const ClippedPolygon& polygon, const Plane& plane) {
 }  // namespace
 
 CellAnalysis::CellAnalysis(const Surface& surface)
-    : surface_(surface), local_(surface.triangles.size(), kNone) {}
+    : surface_(surface), local_(surface.triangles.size(), kNone) {
+  if (!surface.sheet) return;
+  Index points = 0;
+  for (const Triangle& t : surface.corners) points = std::max({points, t[0], t[1], t[2]});
+  on_rim_.assign(std::size_t{points} + 1, 0);
+  for (Index side = 0; side < surface.topology.twin.size(); ++side) {
+    if (surface.topology.twin[side] != kNone) continue;
+    const Triangle& t = surface.corners[side / 3];
+    on_rim_[t[side % 3]] = on_rim_[t[next_corner(static_cast<int>(side % 3))]] = 1;
+  }
+}
 
 Index CellAnalysis::find(Index i) {
   while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
@@ -45,6 +58,7 @@ Index CellAnalysis::count_parts(std::span<const Index> subset, const LatticeBox&
   for (const Index m : subset) parent_[m] = m;
   auto parts = static_cast<Index>(subset.size());
   edges_ = 0;
+  rim_sides_.clear();
   for (const Index m : subset) {
     const Index triangle = members_[m];
     const LatticeTriangle& t = surface_.triangles[triangle];
@@ -52,6 +66,10 @@ Index CellAnalysis::count_parts(std::span<const Index> subset, const LatticeBox&
       const Index side = 3 * triangle + static_cast<Index>(i);
       const Index twin = surface_.topology.twin[side];
       if (twin < side || !edge_meets_box(t[i], t[next_corner(i)], box)) continue;
+      if (twin == kNone) {
+        rim_sides_.push_back(side);
+        continue;
+      }
       ++edges_;
       const Index other = local_[twin / 3];
       if (other == kNone || parent_[other] == kNone) continue;
@@ -85,6 +103,7 @@ void CellAnalysis::find_pieces(const LatticeBox& box, std::span<const ListEntry>
   for (const Index triangle : members_) {
     for (int i = 0; i < 3; ++i) {
       if (vertex_in_box(surface_.triangles[triangle][i], box)) {
+        if (surface_.sheet && on_rim_[surface_.corners[triangle][i]] != 0) continue;
         vertices_.push_back(surface_.corners[triangle][i]);
       }
     }
@@ -111,6 +130,13 @@ void CellAnalysis::find_pieces(const LatticeBox& box, std::span<const ListEntry>
       bounds.hi[i] = std::max(bounds.hi[i], bounds_[m].hi[i]);
     }
   }
+  cell_rims_ = rim_sides_;
+  for (const Index side : cell_rims_) {
+    Piece& piece = pieces_[piece_[local_[side / 3]]];
+    ++piece.rims;
+    // Each rim vertex is where one rim side starts.
+    if (vertex_in_box(surface_.triangles[side / 3][side % 3], box)) --piece.rims;
+  }
   for (const CellCrossing& crossing : crossings.all) {
     const Index m = local_[crossing.triangle];
     if (m == kNone) continue;
@@ -124,7 +150,7 @@ void CellAnalysis::find_pieces(const LatticeBox& box, std::span<const ListEntry>
 bool CellAnalysis::pieces_are_disks() const {
   if (euler_characteristic_ != static_cast<std::int64_t>(pieces_.size())) return false;
   return std::all_of(pieces_.begin(), pieces_.end(),
-                     [](const Piece& piece) { return piece.crossings > 0; });
+                     [](const Piece& piece) { return piece.crossings > 0 && piece.rims <= 1; });
 }
 
 std::optional<ClosedCurve> CellAnalysis::find_closed_curve() {
@@ -141,9 +167,11 @@ std::optional<ClosedCurve> CellAnalysis::find_closed_curve() {
         }
       }
       if (subset_.empty()) continue;
-      // Each open part of the section ends in two crossings.
-      const Index open = crossings_->round_face[axis][high ? 1 : 0] / 2;
-      if (count_parts(subset_, face) == open) continue;
+      // Each open part of the section ends in two crossings, or in one and the rim.
+      const Index parts = count_parts(subset_, face);
+      const auto rims = static_cast<Index>(rim_sides_.size());
+      const Index open = (crossings_->round_face[axis][high ? 1 : 0] + rims) / 2;
+      if (parts == open && !part_ends_in_two_rims()) continue;
       ClosedCurve curve{axis, bounds_[subset_[0]]};
       for (const Index m : subset_) {
         for (int i = 0; i < 3; ++i) {
@@ -155,6 +183,16 @@ std::optional<ClosedCurve> CellAnalysis::find_closed_curve() {
     }
   }
   return std::nullopt;
+}
+
+// Of the parts just counted on a face.
+bool CellAnalysis::part_ends_in_two_rims() {
+  for (std::size_t i = 1; i < rim_sides_.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (find(local_[rim_sides_[i] / 3]) == find(local_[rim_sides_[j] / 3])) return true;
+    }
+  }
+  return false;
 }
 
 std::optional<Index> CellAnalysis::find_pillow() {
@@ -186,6 +224,7 @@ bool CellAnalysis::part_is_near(Index triangle) {
       if (!vertex_in_box(p, reach)) return false;
     }
     for (Index side = 3 * t; side < 3 * t + 3; ++side) {
+      if (surface_.topology.twin[side] == kNone) return false;  // open: no volume to lose
       const Index other = surface_.topology.twin[side] / 3;
       if (visit_[other] == visits_) continue;
       visit_[other] = visits_;

@@ -32,12 +32,14 @@ struct Piece {
   Index crossings = 0;
   Index kept = 0;
   LatticeBox bounds;
+  int rims = 0;        ///< connected parts of the rim in it
   unsigned edges = 0;  ///< a bit for each of the cell's edges that it crosses
 
   bool hangs_on_one_edge() const { return edges != 0 && (edges & (edges - 1)) == 0; }
 };
 
-/// The surface's section with a face of the cell has a closed curve (paper fig. 8a).
+/// The surface's section with a face of the cell has a closed curve (paper fig. 8a), or one from
+/// rim to rim.
 struct ClosedCurve {
   int axis;           ///< normal to the face
   LatticeBox bounds;  ///< of all triangles on the face
@@ -62,7 +64,10 @@ class CellAnalysis {
     return local_[triangle] == kNone ? kNone : piece_[local_[triangle]];
   }
 
-  /// Is every piece a disk that reaches the cell's edges?
+  /// The sides on the rim of a sheet that meet the cell.
+  std::span<const Index> rims() const { return cell_rims_; }
+
+  /// Is every piece a disk that reaches the cell's edges, or a half-disk?
   bool pieces_are_disks() const;
   /// The first face of the cell with a closed curve, if there is one.
   std::optional<ClosedCurve> find_closed_curve();
@@ -77,6 +82,7 @@ class CellAnalysis {
   Index find(Index i);
   bool part_is_near(Index triangle);
   bool members_cross(Index i, Index j) const;
+  bool part_ends_in_two_rims();
 
   const Surface& surface_;
   LatticeBox box_;
@@ -85,6 +91,9 @@ class CellAnalysis {
   std::vector<LatticeBox> bounds_;  // per member: of its part in the cell, rounded outwards
   std::vector<Index> piece_;        // per member
   std::vector<Index> local_;        // per triangle: its number among the members, or kNone
+  std::vector<char> on_rim_;        // per point of a sheet
+  std::vector<Index> rim_sides_;    // of the last count_parts: rim sides that meet the box
+  std::vector<Index> cell_rims_;
   std::vector<Index> subset_;
   std::vector<Index> parent_;
   std::vector<Index> visit_;  // per triangle: the last search that came by

@@ -148,8 +148,9 @@ class Construction {
       EdgeRange range;
       range.begin = static_cast<Index>(grid_.hits.size());
       const int winding = walk_edge(crossings_[i], above.winding[low_corner[i]], inside_, walked_);
-      KDM_ASSERT(winding == above.winding[low_corner[i] | 1 << axis_of_edge(w, i)],
-                 "winding numbers agree along all edges of a splitting face");
+      KDM_ASSERT(
+          surface_.sheet || winding == above.winding[low_corner[i] | 1 << axis_of_edge(w, i)],
+          "winding numbers agree along all edges of a splitting face");
       static_cast<void>(winding);
       for (const WalkedCrossing& c : walked_) {
         grid_.hits.push_back(Hit(c.crossing.position, c.crossing.triangle, c.leaving,

@@ -12,10 +12,11 @@
 #include <limits>
 #include <vector>
 
+#include "build/link_sheet.h"
 #include "build/matching.h"
+#include "build/outline.h"
 #include "build/trace.h"
 #include "geometry/assert.h"
-#include "grid/faces.h"
 #include "kdmanifold/error.h"
 
 namespace kdm {
@@ -23,15 +24,6 @@ namespace {
 
 // The dynamic programme is cubic; beyond this many hits neighbours are paired (paper's rule).
 constexpr Index kMatchingLimit = 256;
-
-// A hit on the outline of a face, in cyclic order.
-struct OutlineHit {
-  Index half_edge;
-  Index hit;
-  int side;
-  bool starts_below;
-  bool ascending;  // the outline runs up the grid edge here
-};
 
 class Linking {
  public:
@@ -43,7 +35,7 @@ class Linking {
       link_strip(face);
       return;
     }
-    collect(face);
+    collect_outline(grid_, face, outline_);
     const auto count = static_cast<Index>(outline_.size());
     const auto one_way = std::count_if(outline_.begin(), outline_.end(),
                                        [](const OutlineHit& h) { return h.starts_below; });
@@ -70,21 +62,9 @@ class Linking {
     const FaceEdge& b = face.edges[first + 2];
     KDM_ASSERT(a.size() == b.size(), "the long sides of a strip carry the same hits");
     for (Index i = 0; i < a.size(); ++i) {
-      link(face, outline_hit(a, a.begin + i, first), outline_hit(b, b.begin + i, first + 2),
-           GridData::kStrip);
+      link(face, outline_hit(grid_, a, a.begin + i, first),
+           outline_hit(grid_, b, b.begin + i, first + 2), GridData::kStrip);
     }
-  }
-
-  OutlineHit outline_hit(const FaceEdge& edge, Index hit, int side) const {
-    return {3 * hit + edge.slot, hit, side, starts_below(edge, grid_.hits[hit].reversed()),
-            side == 0 || side == 1};
-  }
-
-  void collect(const MinimalFace& face) {
-    outline_.clear();
-    for_each_hit(face, [&](const FaceEdge& edge, Index hit, int side) {
-      outline_.push_back(outline_hit(edge, hit, side));
-    });
   }
 
   void link(const MinimalFace& face, const OutlineHit& a, const OutlineHit& b,
@@ -103,14 +83,14 @@ class Linking {
     }
     std::vector<Index> traced(count, kNone);
     if (pairing_ == Pairing::kTrace) trace(face, traced);
-    tangents(face);
+    find_tangents(grid_, face, outline_, tangents_);
     // Traced pairs cost nothing; to part one costs more than any deviation.
     constexpr double kParting = 1e30;
     const std::vector<Index> partner = match_without_crossings(count, [&](Index i, Index j) {
       if (!fit(i, j)) return std::numeric_limits<double>::infinity();
       if (traced[i] == j) return 0.0;
       if (traced[i] != kNone || traced[j] != kNone) return kParting;
-      return deviation(i, j);
+      return deviation(tangents_[i], tangents_[j]);
     });
     if (pairing_ == Pairing::kTrace && partner != traced) ++grid_.stats.guessed_faces;
     return partner;
@@ -149,45 +129,6 @@ class Linking {
     }
   }
 
-  struct Tangent {
-    double u, v;    // the hit's point on the face
-    double nu, nv;  // unit normal of its tangent line there, or zero
-  };
-
-  void tangents(const MinimalFace& face) {
-    tangents_.clear();
-    const int u = next_axis(face.axis);
-    const int v = previous_axis(face.axis);
-    for (const OutlineHit& h : outline_) {
-      const double along = real_position(grid_.hits[h.hit].position);
-      Tangent t{along, along, 0, 0};
-      if (h.side == 0 || h.side == 2) {
-        t.v = h.side == 0 ? face.lo(1) : face.hi(1);
-      } else {
-        t.u = h.side == 3 ? face.lo(0) : face.hi(0);
-      }
-      const Vec3& normal = grid_.planes[grid_.hits[h.hit].plane()].normal;
-      const double length = std::sqrt(normal[u] * normal[u] + normal[v] * normal[v]);
-      if (length > 0) {
-        t.nu = normal[u] / length;
-        t.nv = normal[v] / length;
-      }
-      tangents_.push_back(t);
-    }
-  }
-
-  // How far each of two hits lies from the other's tangent line, squared; a little of their
-  // distance decides between pairings that fit equally well.
-  double deviation(Index i, Index j) const {
-    const Tangent& a = tangents_[i];
-    const Tangent& b = tangents_[j];
-    const double du = b.u - a.u;
-    const double dv = b.v - a.v;
-    const double from_a = a.nu * du + a.nv * dv;
-    const double from_b = b.nu * du + b.nv * dv;
-    return from_a * from_a + from_b * from_b + 1e-6 * (du * du + dv * dv);
-  }
-
   const Surface& surface_;
   Pairing pairing_;
   GridData& grid_;
@@ -201,6 +142,10 @@ class Linking {
 void link_half_edges(const Surface& surface, Pairing pairing, GridData& grid) {
   grid.opposite.assign(3 * grid.hits.size(), kNone);
   grid.start.assign(3 * grid.hits.size(), kNone);
+  if (grid.sheet) {
+    link_sheet(surface, pairing, grid);
+    return;
+  }
   Linking linking(surface, pairing, grid);
   for_each_face(grid, cell_boxes(grid), linking);
 }

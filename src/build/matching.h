@@ -20,5 +20,10 @@ std::vector<Index> match_without_crossings(Index count,
 /// open as close. Where they alternate, neighbours are paired. Returns each point's partner. Linear
 /// time.
 std::vector<Index> match_brackets(const std::vector<bool>& opens);
+/// Pairs as many of the points as it can without crossings, only those that `may_pair(i, j)`, i <
+/// j; of such pairings the one of least cost. Returns each point's partner or kNone. Cubic time;
+/// more than 256 points are paired with the next one they may be paired with, inside out.
+std::vector<Index> match_some(Index count, const std::function<bool(Index, Index)>& may_pair,
+                              const std::function<double(Index, Index)>& cost);
 
 }  // namespace kdm

@@ -8,6 +8,7 @@
 
 #include <cmath>
 
+#include "build/crowded_edges.h"
 #include "geometry/predicates.h"
 #include "kdmanifold/error.h"
 #include "mesh/cancel.h"
@@ -158,7 +159,7 @@ Plane plane_of(const Vec3& a, const Vec3& b, const Vec3& c, const LatticeTriangl
 
 }  // namespace
 
-Surface prepare_surface(const Mesh& mesh) {
+Surface prepare_surface(const Mesh& mesh, bool sheet) {
   check_positions(mesh);
   Faces faces = collect_faces(mesh);
   const Weld weld = weld_positions(mesh.positions);
@@ -190,12 +191,16 @@ Surface prepare_surface(const Mesh& mesh) {
   faces.source.resize(kept);
 
   Surface surface;
+  surface.sheet = sheet;
   surface.topology = build_topology(faces.triangles, static_cast<Index>(points.size()));
-  if (!surface.topology.closed()) throw_not_closed(faces, points, surface.topology);
+  if (sheet) pair_straightest(faces.triangles, points, surface.topology);
+  surface.report.closed = surface.topology.closed();
+  if (!surface.report.closed && !sheet) throw_not_closed(faces, points, surface.topology);
+  surface.report.boundary_loops = count_boundary_loops(surface.topology.twin);
   surface.report.boundary_edges = surface.topology.boundary_edges;
   surface.report.non_manifold_edges = surface.topology.non_manifold_edges;
   surface.report.components = surface.topology.components;
-  surface.report.cancelled_faces = cancel_opposite_faces(faces, points.size());
+  if (!sheet) surface.report.cancelled_faces = cancel_opposite_faces(faces, points.size());
   if (surface.report.cancelled_faces > 0) {
     kept = faces.triangles.size();
     surface.topology = build_topology(faces.triangles, static_cast<Index>(points.size()));
@@ -214,7 +219,7 @@ Surface prepare_surface(const Mesh& mesh) {
   for (const Triangle& t : faces.triangles) {
     surface.triangles.push_back({rounded[t[0]], rounded[t[1]], rounded[t[2]]});
   }
-  surface.report.flipped = signed_volume(surface.triangles) < 0;
+  surface.report.flipped = !sheet && signed_volume(surface.triangles) < 0;
   if (surface.report.flipped) turn_around(faces, surface.topology, surface.triangles);
 
   surface.planes.reserve(kept);
@@ -235,7 +240,6 @@ Surface prepare_surface(const Mesh& mesh) {
   surface.report.vertices = static_cast<Index>(points.size());
   surface.report.triangles =
       static_cast<Index>(kept) + repeated_corners + surface.report.cancelled_faces;
-  surface.report.closed = true;
   surface.report.degenerate_faces = repeated_corners + without_area;
   surface.report.lattice_step = surface.lattice.step;
   return surface;

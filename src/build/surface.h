@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The input as construction sees it: welded, on the lattice, closed, facing outwards.
+// The input as construction sees it: welded, on the lattice; a solid's closed, facing outwards.
 #pragma once
 
 #include <vector>
@@ -23,10 +23,12 @@ struct Surface {
   std::vector<char> degenerate;     ///< no area on the lattice: never hit, but still a neighbour
   Topology topology;
   InputReport report;
+  bool sheet = false;  ///< bounds no solid: sides may lack a twin
 };
 
 /// Checks and converts. Throws `kInvalidMesh` (no triangles, index out of range, coordinate not
-/// finite or beyond 1e150, all points equal) and `kNotClosed`.
-Surface prepare_surface(const Mesh& mesh);
+/// finite or beyond 1e150, all points equal) and `kNotClosed`. A `sheet` may be open and is neither
+/// turned nor freed of faces that lie back to back.
+Surface prepare_surface(const Mesh& mesh, bool sheet = false);
 
 }  // namespace kdm

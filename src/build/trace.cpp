@@ -34,9 +34,9 @@ bool leaves_rectangle(const LatticePoint& a, const LatticePoint& b, int axis, st
 
 }  // namespace
 
-Index trace_to_end(const Surface& surface, int axis, std::int32_t value,
-                   const std::array<std::int32_t, 2>& lo, const std::array<std::int32_t, 2>& hi,
-                   std::span<const TraceEnd> ends, Index start) {
+Traced trace(const Surface& surface, int axis, std::int32_t value,
+             const std::array<std::int32_t, 2>& lo, const std::array<std::int32_t, 2>& hi,
+             std::span<const TraceEnd> ends, Index start) {
   Index triangle = ends[start].triangle;
   // With normal N, the section of a triangle runs along N x w from the side that crosses the
   // plane upwards to the one that crosses it downwards. At a side of the rectangle normal to b,
@@ -52,16 +52,19 @@ Index trace_to_end(const Surface& surface, int axis, std::int32_t value,
   // A walk visits a triangle at most once, unless edges of four triangles make it turn in circles.
   for (std::size_t steps = 0; steps <= surface.triangles.size(); ++steps) {
     for (Index end = 0; end < ends.size(); ++end) {
-      if (end != start && ends[end].triangle == triangle) return end;
+      if (end != start && ends[end].triangle == triangle) return {end, kNone};
     }
     const LatticeTriangle& t = surface.triangles[triangle];
     const int exit = crossing_side(t, axis, value, !forward);
-    if (exit == 3) return kNone;
-    if (leaves_rectangle(t[exit], t[next_corner(exit)], axis, value, lo, hi)) return kNone;
-    triangle = surface.topology.twin[3 * triangle + static_cast<Index>(exit)] / 3;
-    if (triangle == ends[start].triangle) return kNone;
+    if (exit == 3) return {};
+    if (leaves_rectangle(t[exit], t[next_corner(exit)], axis, value, lo, hi)) return {};
+    const Index left_by = 3 * triangle + static_cast<Index>(exit);
+    const Index twin = surface.topology.twin[left_by];
+    if (twin == kNone) return {kNone, left_by};
+    triangle = twin / 3;
+    if (triangle == ends[start].triangle) return {};
   }
-  return kNone;
+  return {};
 }
 
 }  // namespace kdm

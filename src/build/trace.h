@@ -15,12 +15,26 @@ struct TraceEnd {
   int side;  ///< 0 to 3 as splitting edges are numbered
 };
 
+/// Where a trace arrives: at another end, at the rim of a sheet (a side without twin), or nowhere.
+struct Traced {
+  Index end = kNone;
+  Index rim = kNone;
+};
+
 /// Walks from ends[start] through the triangles that cross the lattice plane `value` of `axis`
-/// until one of them is another end's; returns that end's number, or kNone if the walk leaves the
+/// until one of them is another end's, or until the surface ends. Nowhere: the walk leaves the
 /// rectangle (given by its corners, on the axes after `axis`) without meeting an end: the surface
 /// there was dropped by the inside rule. On embedded input every walk arrives.
-Index trace_to_end(const Surface& surface, int axis, std::int32_t value,
-                   const std::array<std::int32_t, 2>& lo, const std::array<std::int32_t, 2>& hi,
-                   std::span<const TraceEnd> ends, Index start);
+Traced trace(const Surface& surface, int axis, std::int32_t value,
+             const std::array<std::int32_t, 2>& lo, const std::array<std::int32_t, 2>& hi,
+             std::span<const TraceEnd> ends, Index start);
+
+/// The end's number, or kNone.
+inline Index trace_to_end(const Surface& surface, int axis, std::int32_t value,
+                          const std::array<std::int32_t, 2>& lo,
+                          const std::array<std::int32_t, 2>& hi, std::span<const TraceEnd> ends,
+                          Index start) {
+  return trace(surface, axis, value, lo, hi, ends, start).end;
+}
 
 }  // namespace kdm

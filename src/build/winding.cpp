@@ -14,6 +14,12 @@ int walk_edge(std::vector<Crossing>& crossings, int winding_below, InsideRule ru
       return a.position != b.position ? a.position < b.position : a.triangle < b.triangle;
     });
   }
+  if (rule == InsideRule::kSheet) {
+    for (const Crossing& crossing : crossings) {
+      walked.push_back({crossing, winding_below, true, crossing.leaving});
+    }
+    return winding_below;
+  }
   int winding = winding_below;
   for (std::size_t first = 0; first < crossings.size();) {
     std::size_t last = first;

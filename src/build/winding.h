@@ -25,6 +25,8 @@ constexpr bool is_inside(InsideRule rule, int winding) {
       return winding % 2 != 0;
     case InsideRule::kNonzero:
       return winding != 0;
+    case InsideRule::kSheet:
+      return false;  // there is no solid
   }
   return false;
 }
@@ -39,7 +41,8 @@ struct WalkedCrossing {
 
 /// Sorts the crossings of one edge and walks up it from a point of known winding. Crossings at
 /// one position count together, so that no stretch of length zero survives; of these the first
-/// whose own direction fits is kept. Returns the winding number at the upper end.
+/// whose own direction fits is kept. Returns the winding number at the upper end. Sheets keep every
+/// crossing as it runs and have no winding numbers: theirs stays what it was.
 int walk_edge(std::vector<Crossing>& crossings, int winding_below, InsideRule rule,
               std::vector<WalkedCrossing>& walked);
 

@@ -79,7 +79,8 @@ int run(const Command& command) {
   if (command.check) report.self_intersections = find_self_intersections(result).pairs;
   report.peak_bytes = peak_bytes();
   print(command.json ? report_as_json(report, command) : report_as_text(report, command));
-  return command.check && !report.output.two_manifold ? kNotManifold : 0;
+  const bool sheet = command.build.inside == InsideRule::kSheet;
+  return command.check && !passes_check(report.output, sheet) ? kNotManifold : 0;
 }
 
 // Messages may quote file names, and those may hold anything.

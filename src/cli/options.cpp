@@ -30,7 +30,8 @@ constexpr Word<SplitStrategy> kStrategies[] = {{"adaptive", SplitStrategy::kAdap
                                                {"uniform", SplitStrategy::kUniform}};
 constexpr Word<InsideRule> kInsideRules[] = {{"positive", InsideRule::kPositive},
                                              {"odd", InsideRule::kOdd},
-                                             {"nonzero", InsideRule::kNonzero}};
+                                             {"nonzero", InsideRule::kNonzero},
+                                             {"sheet", InsideRule::kSheet}};
 constexpr Word<Pairing> kPairings[] = {{"trace", Pairing::kTrace},
                                        {"hermite", Pairing::kHermite},
                                        {"inside", Pairing::kInside},
@@ -128,7 +129,8 @@ std::vector<ValueOption> build_options(Command& command) {
       not_negative("--relative-tolerance", "R", command.build.relative_tolerance,
                    "the same as a fraction of the bounding box's diagonal (0.001)"),
       whole_number("--depth", 1, 60, command.build.depth, "limit of the tree's depth"),
-      choice("--inside", kInsideRules, command.build.inside, "which winding numbers are inside"),
+      choice("--inside", kInsideRules, command.build.inside,
+             "which winding numbers are inside; sheet: none, open surfaces stay open"),
       choice("--pairing", kPairings, command.build.pairing,
              "how hits are linked where a face has more than two"),
   };

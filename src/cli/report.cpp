@@ -16,6 +16,7 @@ Json input_json(const InputReport& input) {
           {"triangles", input.triangles},
           {"closed", input.closed},
           {"boundaryEdges", input.boundary_edges},
+          {"boundaryLoops", input.boundary_loops},
           {"nonManifoldEdges", input.non_manifold_edges},
           {"degenerateFaces", input.degenerate_faces},
           {"cancelledFaces", input.cancelled_faces},
@@ -43,7 +44,9 @@ Json output_json(const MeshReport& output, const ExtractReport& extracted) {
           {"components", output.components},
           {"eulerCharacteristic", output.euler_characteristic},
           {"twoManifold", output.two_manifold},
+          {"manifold", output.manifold},
           {"closed", output.closed},
+          {"boundaryLoops", extracted.boundary_loops},
           {"volume", output.volume},
           {"area", output.area},
           {"droppedPillows", extracted.dropped_pillows},
@@ -58,6 +61,7 @@ Json output_json(const MeshReport& output, const ExtractReport& extracted) {
 // What --check looked for.
 Json check_json(const MeshReport& output) {
   return {{"twoManifold", output.two_manifold},
+          {"manifold", output.manifold},
           {"closed", output.closed},
           {"boundaryEdges", output.boundary_edges},
           {"nonManifoldEdges", output.non_manifold_edges},
@@ -78,9 +82,16 @@ std::string topology_text(const GridStats& grid) {
   return fmt::format(", topology given up in {} leaves", grid.unresolved_leaves);
 }
 
-std::string check_text(const MeshReport& output, std::uint64_t self_intersections) {
-  if (output.two_manifold) {
-    return fmt::format("check    passed: 2-manifold; {} pairs of triangles cross\n",
+std::string kind_text(const MeshReport& output, const ExtractReport& extracted, bool sheet) {
+  if (output.two_manifold) return "closed 2-manifold";
+  if (!sheet || !output.manifold) return "not 2-manifold";
+  return fmt::format("manifold with {} boundary loops", extracted.boundary_loops);
+}
+
+std::string check_text(const MeshReport& output, std::uint64_t self_intersections, bool sheet) {
+  if (passes_check(output, sheet)) {
+    return fmt::format("check    passed: 2-manifold{}; {} pairs of triangles cross\n",
+                       output.two_manifold ? "" : " with boundary",
                        self_intersections == 0 ? "no" : std::to_string(self_intersections));
   }
   return fmt::format(
@@ -95,6 +106,10 @@ bool writes(const Command& command) {
 }
 
 }  // namespace
+
+bool passes_check(const MeshReport& output, bool sheet) {
+  return sheet ? output.manifold : output.two_manifold;
+}
 
 std::string report_as_json(const RunReport& report, const Command& command) {
   Json json = {{"input", input_json(report.input)},
@@ -116,6 +131,7 @@ std::string report_as_text(const RunReport& report, const Command& command) {
   const InputReport& input = report.input;
   const GridStats& grid = report.grid;
   const MeshReport& output = report.output;
+  const bool sheet = command.build.inside == InsideRule::kSheet;
   std::string text = fmt::format("input    {}: {} vertices, {} triangles, {} parts{}\n",
                                  command.input, input.vertices, input.triangles, input.components,
                                  input.flipped ? ", turned inside out" : "");
@@ -130,9 +146,8 @@ std::string report_as_text(const RunReport& report, const Command& command) {
   text += fmt::format("output   {}{}{} vertices, {}, {} parts, Euler characteristic {}, {}\n",
                       command.output, command.output.empty() ? "" : ": ", output.vertices,
                       faces_text(output.triangles, output.quads), output.components,
-                      output.euler_characteristic,
-                      output.two_manifold ? "closed 2-manifold" : "not 2-manifold");
-  if (command.check) text += check_text(output, report.self_intersections);
+                      output.euler_characteristic, kind_text(output, report.extracted, sheet));
+  if (command.check) text += check_text(output, report.self_intersections, sheet);
   text += fmt::format("seconds  read {:.3f}, build {:.3f}, extract {:.3f}", report.seconds.read,
                       report.seconds.build, report.seconds.extract);
   if (writes(command)) text += fmt::format(", write {:.3f}", report.seconds.write);

@@ -24,6 +24,9 @@ struct RunReport {
   std::uint64_t peak_bytes = 0;  ///< most memory the process held; 0: unknown
 };
 
+/// What --check asks: closed and 2-manifold; of a sheet, a manifold that may have a boundary.
+bool passes_check(const MeshReport& output, bool sheet);
+
 /// `input`, `grid`, `output` (with --check also its `selfIntersections`), with --check `check`,
 /// then `seconds` and `peakBytes`; indented, with a line end.
 std::string report_as_json(const RunReport& report, const Command& command);

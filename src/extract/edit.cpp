@@ -38,6 +38,10 @@ Index divide_edge(Index ab, const Vec3& position, DualMesh& mesh) {
   // Vertices a and b may have been entered by half-edges that start elsewhere now.
   if (mesh.first[b] == bc) mesh.first[b] = mbc + 1;
   if (mesh.first[a] == ad) mesh.first[a] = mad + 1;
+  if (mesh.open) {  // edges b-c and a-d may be boundary
+    mesh.set_first(c, mbc + 2);
+    mesh.set_first(d, mad + 2);
+  }
   mesh.strip[ab / 3] = mesh.strip[ba / 3] = 0;
   return m;
 }
@@ -58,6 +62,11 @@ Index divide_triangle(Index triangle, const Vec3& position, DualMesh& mesh) {
   mesh.vertex[ab + 2] = m;
   mesh.first.push_back(ab + 2);
   if (mesh.first[c] == ab + 2) mesh.first[c] = cam;
+  if (mesh.open) {
+    mesh.set_first(a, ab);
+    mesh.set_first(b, ab + 1);
+    mesh.set_first(c, cam);
+  }
   mesh.strip[triangle] = 0;
   return m;
 }

@@ -18,6 +18,7 @@
 #include "extract/strict.h"
 #include "extract/unfold.h"
 #include "kdmanifold/error.h"
+#include "mesh/topology.h"
 
 namespace kdm {
 namespace {
@@ -129,8 +130,8 @@ class Meshing {
     do {
       sum += points_[mesh.hit[half_edge / 3]];
       ++count;
-      half_edge = next_in_triangle(mesh.opposite[half_edge]);
-    } while (half_edge != mesh.first[v]);
+      half_edge = mesh.turn(half_edge);
+    } while (half_edge != mesh.first[v] && half_edge != kNone);
     return sum / count;
   }
 
@@ -156,6 +157,7 @@ ExtractedMesh extract(const Grid& handle, const ExtractOptions& options,
   report(progress, 0.7, "faces");
   ExtractedMesh out;
   const DualMesh mesh = meshing.faces(out.report);
+  if (mesh.open) out.report.boundary_loops = count_boundary_loops(mesh.opposite);
   report(progress, 0.9, "faces");
   std::vector<Vec3> normals;
   if (options.normals) normals = corner_normals(grid, mesh, crease);

@@ -6,17 +6,14 @@
 namespace kdm {
 namespace {
 
-// Place within the triangle of a half-edge of this slot (see grid_data.h).
-constexpr Index place_of_slot(Index slot, bool reversed) {
-  return reversed || slot == 0 ? slot : 3 - slot;
-}
-
 // The triangle that lies beyond all three sides but `except`, or kNone.
 Index only_neighbour(const DualMesh& mesh, Index triangle, Index except) {
   Index neighbour = kNone;
   for (Index i = 0; i < 3; ++i) {
     if (i == except) continue;
-    const Index other = mesh.opposite[3 * triangle + i] / 3;
+    const Index beyond = mesh.opposite[3 * triangle + i];
+    if (beyond == kNone) return kNone;
+    const Index other = beyond / 3;
     if (neighbour != kNone && other != neighbour) return kNone;
     neighbour = other;
   }
@@ -34,6 +31,20 @@ Index DualMesh::add_triangle(Index of_hit, Index a, Index b, Index c) {
   return first_half_edge;
 }
 
+void DualMesh::set_first(Index v, Index half_edge) {
+  first[v] = half_edge;
+  if (!open) return;
+  for (Index h = half_edge;;) {
+    const Index behind = opposite[previous_in_triangle(h)];
+    if (behind == half_edge) return;  // a ring
+    if (behind == kNone) {
+      first[v] = h;
+      return;
+    }
+    h = behind;
+  }
+}
+
 DualMesh dual_mesh_of(const GridData& grid) {
   DualMesh mesh;
   const auto triangles = static_cast<Index>(grid.hits.size());
@@ -47,10 +58,15 @@ DualMesh dual_mesh_of(const GridData& grid) {
     for (Index slot = 0; slot < 3; ++slot) {
       const Index place = place_of_slot(slot, reversed);
       const Index other = grid.opposite[3 * t + slot];
-      KDM_ASSERT(other != kNone, "every half-edge is linked");
-      const Index other_hit = other / 3;
-      mesh.opposite[3 * t + place] =
-          3 * other_hit + place_of_slot(other % 3, grid.hits[other_hit].reversed());
+      KDM_ASSERT(other != kNone || grid.sheet, "every half-edge of a solid is linked");
+      if (other == kNone) {
+        mesh.opposite[3 * t + place] = kNone;
+        mesh.open = true;
+      } else {
+        const Index other_hit = other / 3;
+        mesh.opposite[3 * t + place] =
+            3 * other_hit + place_of_slot(other % 3, grid.hits[other_hit].reversed());
+      }
       mesh.vertex[3 * t + place] = grid.start_leaf(3 * t + slot);
       if (grid.crosses_strip(3 * t + slot)) {
         mesh.strip[t] = static_cast<char>(mesh.strip[t] | 1 << place);
@@ -106,12 +122,14 @@ void find_loops(const GridData& grid, DualMesh& mesh) {
     const Index loop = static_cast<Index>(mesh.first.size()) | kFound;
     mesh.first.push_back(start);
     mesh.leaf.push_back(leaf);
-    Index half_edge = start;
+    if (mesh.open) mesh.set_first(static_cast<Index>(mesh.first.size() - 1), start);
+    const Index first = mesh.first.back();
+    Index half_edge = first;
     do {
       KDM_ASSERT(mesh.vertex[half_edge] == leaf, "a loop stays in one leaf");
       mesh.vertex[half_edge] = loop;
-      half_edge = next_in_triangle(mesh.opposite[half_edge]);
-    } while (half_edge != start);
+      half_edge = mesh.turn(half_edge);
+    } while (half_edge != first && half_edge != kNone);
   }
   for (Index& vertex : mesh.vertex) {
     if (vertex != kNone) vertex &= ~kFound;

@@ -3,6 +3,7 @@
 #include "extract/place.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "geometry/quadric.h"
@@ -72,6 +73,42 @@ bool meets_planes(const GridData& grid, std::span<const Index> hits, const Vec3&
   });
 }
 
+namespace {
+
+// The rim at a half-edge on the boundary; null if it is not known.
+const RimHit* rim_at(const GridData& grid, Index half_edge) {
+  const Index hit = half_edge / 3;  // a triangle still has the number of its hit
+  const Index wanted = 3 * hit + slot_at_place(half_edge % 3, grid.hits[hit].reversed());
+  const auto rim =
+      std::lower_bound(grid.rims.begin(), grid.rims.end(), wanted,
+                       [](const RimHit& r, Index value) { return r.half_edge < value; });
+  return rim != grid.rims.end() && rim->half_edge == wanted ? &*rim : nullptr;
+}
+
+// As far out as the surface goes: on the rim, between the points where it enters the leaf and
+// leaves it; in its corner if it has one there.
+Vec3 boundary_position(const GridData& grid, const std::vector<Vec3>& points,
+                       std::span<const Index> hits, Index into, Index out_of, const LatticeBox& box,
+                       VertexPosition position) {
+  std::array<const RimHit*, 2> rims{rim_at(grid, into), rim_at(grid, out_of)};
+  Vec3 sum = Vec3::Zero();
+  int count = 0;
+  for (const RimHit* rim : rims) {
+    if (rim == nullptr) continue;
+    sum += rim->point;
+    ++count;
+  }
+  if (count == 0) return vertex_position(grid, points, hits, box, position);
+  PrimalQuadric quadric(sum / count);
+  for (const Index h : hits) quadric.add(grid.planes[grid.hits[h].plane()]);
+  for (const RimHit* rim : rims) {
+    if (rim != nullptr) quadric.add({rim->normal, rim->normal.dot(rim->point)});
+  }
+  return quadric.minimiser_in(real(box.lo), real(box.hi));
+}
+
+}  // namespace
+
 std::vector<Index> place_vertices(const GridData& grid, const std::vector<LatticeBox>& boxes,
                                   const std::vector<Vec3>& points, const SplitError& error,
                                   VertexPosition position, DualMesh& mesh) {
@@ -83,10 +120,17 @@ std::vector<Index> place_vertices(const GridData& grid, const std::vector<Lattic
     hits.clear();
     const Index first = mesh.first[vertex];
     Index half_edge = first;
+    Index last = first;
     do {
       hits.push_back(mesh.hit[half_edge / 3]);
-      half_edge = next_in_triangle(mesh.opposite[half_edge]);
-    } while (half_edge != first);
+      last = half_edge;
+      half_edge = mesh.turn(half_edge);
+    } while (half_edge != first && half_edge != kNone);
+    if (half_edge == kNone) {
+      mesh.position.push_back(boundary_position(grid, points, hits, previous_in_triangle(first),
+                                                last, boxes[mesh.leaf[vertex]], position));
+      continue;
+    }
     const Vec3 point = vertex_position(grid, points, hits, boxes[mesh.leaf[vertex]], position);
     mesh.position.push_back(point);
     if (!meets_planes(grid, hits, point, error.distance) &&

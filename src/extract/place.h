@@ -25,7 +25,9 @@ struct SplitError {
 };
 
 /// Puts each loop's vertex at the minimum of the squared distances to its hits' planes, kept within
-/// its leaf as `position` says. Returns the vertices that lie further off than the error.
+/// its leaf as `position` says; on the boundary also to the planes through the rim. Returns the
+/// vertices that lie further off than the error, but for those on the boundary: a split is not
+/// defined there.
 std::vector<Index> place_vertices(const GridData& grid, const std::vector<LatticeBox>& boxes,
                                   const std::vector<Vec3>& points, const SplitError& error,
                                   VertexPosition position, DualMesh& mesh);

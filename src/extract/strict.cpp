@@ -39,8 +39,9 @@ class Separation {
     do {
       const Index to = mesh_.vertex[next_in_triangle(half_edge)];
       if (to > v) ring_.push_back(to);
-      half_edge = next_in_triangle(mesh_.opposite[half_edge]);
-    } while (half_edge != first);
+      half_edge = mesh_.turn(half_edge);
+    } while (half_edge != first && half_edge != kNone);
+    if (half_edge == kNone && start_into(v) > v) ring_.push_back(start_into(v));
     constexpr std::size_t kShort = 12;
     if (ring_.size() <= kShort) {
       bool doubled = false;
@@ -62,18 +63,45 @@ class Separation {
     int found = 0;
     do {
       if (mesh_.vertex[next_in_triangle(half_edge)] == to && ++found == 2) return half_edge;
-      half_edge = next_in_triangle(mesh_.opposite[half_edge]);
-    } while (half_edge != first);
-    return kNone;
+      half_edge = mesh_.turn(half_edge);
+    } while (half_edge != first && half_edge != kNone);
+    const bool one_more = half_edge == kNone && start_into(from) == to && found == 1;
+    return one_more ? mesh_.boundary_into(from) : kNone;
   }
 
+  // Where the boundary into v comes from; v is on it.
+  Index start_into(Index v) const { return mesh_.vertex[mesh_.boundary_into(v)]; }
+
   void insert_vertex(Index ab) {
+    if (mesh_.opposite[ab] == kNone) {
+      insert_on_boundary(ab);
+      return;
+    }
     const Index ba = mesh_.opposite[ab];
     const Index c = mesh_.vertex[previous_in_triangle(ab)];
     const Index d = mesh_.vertex[previous_in_triangle(ba)];
     const Vec3 position = between(ab / 3, ba / 3, mesh_.vertex[ab], mesh_.vertex[ba]);
     const Index m = divide_edge(ab, position, mesh_);
     if (c == d) doubles_.emplace_back(m, c);
+  }
+
+  // The same with triangle (a, b, c) alone.
+  void insert_on_boundary(Index ab) {
+    const Index bc = next_in_triangle(ab);
+    const Index a = mesh_.vertex[ab];
+    const Index b = mesh_.vertex[bc];
+    const Index c = mesh_.vertex[previous_in_triangle(ab)];
+    const auto m = static_cast<Index>(mesh_.first.size());
+    mesh_.position.push_back(0.5 * (mesh_.position[a] + mesh_.position[b]));
+    mesh_.leaf.push_back(kNone);
+    const Index mbc = mesh_.add_triangle(mesh_.hit[ab / 3], m, b, c);
+    mesh_.link(mbc + 1, mesh_.opposite[bc]);
+    mesh_.link(mbc + 2, bc);  // bc becomes m -> c
+    mesh_.vertex[bc] = m;
+    mesh_.first.push_back(bc);
+    mesh_.first[b] = mbc + 1;
+    mesh_.set_first(c, mbc + 2);
+    mesh_.strip[ab / 3] = 0;
   }
 
   // The middle of the two hits: it lies in the minimal face between the two leaves, or near it.

@@ -87,6 +87,7 @@ class Unfolding {
   // What the flip of the edge a-b between (a, b, c) and (b, a, d) to c-d would give.
   Flip judge(Index ab) const {
     const Index ba = mesh_.opposite[ab];
+    if (ba == kNone) return {};
     if (flips_[ab / 3] >= kMaxFlips || flips_[ba / 3] >= kMaxFlips) return {};
     const Index a = mesh_.vertex[ab];
     const Index b = mesh_.vertex[ba];
@@ -117,8 +118,9 @@ class Unfolding {
     return std::abs(plane.normal.dot(mesh_.position[v]) - plane.offset);
   }
 
-  // A vertex loses an edge by a flip and must keep three.
+  // A vertex loses an edge by a flip and must keep three, or two on the boundary.
   bool shorter_than_four(Index v) const {
+    if (mesh_.boundary_into(v) != kNone) return false;
     const Index first = mesh_.first[v];
     Index half_edge = first;
     int count = 0;
@@ -134,9 +136,9 @@ class Unfolding {
     Index half_edge = first;
     do {
       if (mesh_.vertex[next_in_triangle(half_edge)] == w) return true;
-      half_edge = next_in_triangle(mesh_.opposite[half_edge]);
-    } while (half_edge != first);
-    return false;
+      half_edge = mesh_.turn(half_edge);
+    } while (half_edge != first && half_edge != kNone);
+    return half_edge == kNone && mesh_.vertex[mesh_.boundary_into(v)] == w;
   }
 
   // (a, b, c) and (b, a, d) become (a, d, c) and (d, b, c).
@@ -160,10 +162,10 @@ class Unfolding {
     mesh_.vertex[ad] = b;
     mesh_.vertex[bc] = d;
     mesh_.vertex[db] = c;
-    mesh_.first[mesh_.vertex[ab]] = ab;
-    mesh_.first[b] = ad;
-    mesh_.first[c] = ca;
-    mesh_.first[d] = ba;
+    mesh_.set_first(mesh_.vertex[ab], ab);
+    mesh_.set_first(b, ad);
+    mesh_.set_first(c, ca);
+    mesh_.set_first(d, ba);
     mesh_.strip[ab / 3] = mesh_.strip[ba / 3] = 0;
   }
 

@@ -82,17 +82,27 @@ struct Hit {
 };
 static_assert(sizeof(Hit) == 8);
 
+/// Where a sheet's rim leaves a minimal face whose link it cuts off: the half-edge of the hit at
+/// the other end of the surface's section with the face lies on the boundary.
+struct RimHit {
+  Index half_edge;
+  Vec3 point;   ///< on the face, lattice coordinates
+  Vec3 normal;  ///< of the plane through the rim upright on the surface; zero if there is none
+};
+
 struct GridData {
   Lattice lattice;
   double tolerance = 0;           ///< asked for, in lattice units; never 0 in a built grid
   std::vector<Cell> cells;        ///< cell 0 is the root; 2 * splits + 1 of them
   std::vector<Index> edge_begin;  ///< first hit of each splitting edge, and the number of hits
   std::vector<Hit> hits;
-  std::vector<Index> opposite;  ///< per half-edge: the half-edge it is linked to
+  std::vector<Index> opposite;  ///< per half-edge: the half-edge it is linked to; kNone: boundary
   /// Per half-edge: the leaf in which it starts, and whether its link crosses a strip.
   std::vector<std::uint32_t> start;
   std::vector<Plane> planes;
   std::vector<Index> source_faces;  ///< per plane: the input face it is of
+  bool sheet = false;               ///< not a solid's: half-edges may lie on the boundary
+  std::vector<RimHit> rims;         ///< of boundary half-edges, ascending; not all need have one
   GridStats stats;
   InputReport input;
 

@@ -72,6 +72,10 @@ void validate_edges(const GridData& grid, const std::vector<LatticeBox>& boxes) 
         require(hit.reversed() == reversed_on_edge(i, hit.leaving()), "a hit is turned rightly", h);
         require(hit.plane() < grid.planes.size(), "a hit has a plane", h);
         if (h == grid.edge_begin[edge]) continue;
+        if (grid.sheet) {  // two-sided walls and crossing sheets may be hit at one position
+          require(grid.hits[h - 1].position <= hit.position, "hits ascend along an edge", h);
+          continue;
+        }
         require(grid.hits[h - 1].position < hit.position, "hits ascend along an edge", h);
         require(grid.hits[h - 1].leaving() != hit.leaving(), "hits alternate along an edge", h);
       }
@@ -79,10 +83,13 @@ void validate_edges(const GridData& grid, const std::vector<LatticeBox>& boxes) 
   }
 }
 
-// Links join half-edges of one minimal face that run against each other, without crossings.
+// Links join half-edges of one minimal face that run against each other; a solid's without
+// crossings.
 class FaceValidation {
  public:
-  explicit FaceValidation(const GridData& grid) : grid_(grid), seen_(3 * grid.hits.size(), 0) {}
+  explicit FaceValidation(const GridData& grid) : grid_(grid), seen_(3 * grid.hits.size(), 0) {
+    if (grid.sheet) face_of_.assign(3 * grid.hits.size(), 0);
+  }
 
   void operator()(const MinimalFace& face) {
     require(grid_.cells[face.below].leaf() && grid_.cells[face.above].leaf(),
@@ -96,16 +103,38 @@ class FaceValidation {
       require(grid_.start_leaf(half_edge) == leaf, "a half-edge starts in its leaf", half_edge);
       require(grid_.crosses_strip(half_edge) == face.strip(), "strips are marked", half_edge);
     });
-    validate_links();
+    if (grid_.sheet) {
+      ++faces_;
+      for (const Index half_edge : outline_) face_of_[half_edge] = faces_;
+    } else {
+      validate_links();
+    }
   }
 
   void finish() const {
     for (std::size_t h = 0; h < seen_.size(); ++h) {
       require(seen_[h] == 1, "every half-edge crosses a minimal face", h);
     }
+    if (grid_.sheet) validate_sheet_links();
   }
 
  private:
+  // Links may cross where the input does, and be missing; not where one hit lies on two edges.
+  void validate_sheet_links() const {
+    for (std::size_t h = 0; h < seen_.size(); ++h) {
+      const Index other = grid_.opposite[h];
+      if (other == kNone) {
+        require(!grid_.crosses_strip(static_cast<Index>(h)), "strips are linked", h);
+        continue;
+      }
+      require(other < seen_.size() && grid_.opposite[other] == h, "links are mutual", h);
+      require(grid_.start_leaf(static_cast<Index>(h)) != grid_.start_leaf(other),
+              "linked half-edges run against each other", h);
+      require(face_of_[h] == face_of_[other], "links of a face join its own hits and do not cross",
+              h);
+    }
+  }
+
   // Links nest like brackets.
   void validate_links() {
     open_.clear();
@@ -127,9 +156,21 @@ class FaceValidation {
 
   const GridData& grid_;
   std::vector<char> seen_;
+  std::vector<Index> face_of_;  // per half-edge of a sheet: the face it crosses
+  Index faces_ = 0;
   std::vector<Index> outline_;
   std::vector<Index> open_;
 };
+
+void validate_rims(const GridData& grid) {
+  require(grid.sheet || grid.rims.empty(), "only sheets have rims", grid.rims.size());
+  for (std::size_t i = 0; i < grid.rims.size(); ++i) {
+    const Index half_edge = grid.rims[i].half_edge;
+    require(half_edge < grid.opposite.size() && grid.opposite[half_edge] == kNone,
+            "a rim is of a half-edge on the boundary", i);
+    require(i == 0 || grid.rims[i - 1].half_edge < half_edge, "rims ascend", i);
+  }
+}
 
 }  // namespace
 
@@ -142,6 +183,7 @@ void validate(const GridData& grid) {
           "a hit has three half-edges", grid.opposite.size());
   require(grid.source_faces.size() == grid.planes.size(), "a plane has a source face",
           grid.planes.size());
+  validate_rims(grid);
   FaceValidation faces(grid);
   for_each_face(grid, boxes, faces);
   faces.finish();

@@ -80,9 +80,10 @@ class Describer {
     count_vertices();
     measure();
     report_.closed = report_.boundary_edges == 0 && faces_.size() > 0;
-    report_.two_manifold = report_.closed && report_.non_manifold_edges == 0 &&
-                           report_.misoriented_edges == 0 && report_.non_manifold_vertices == 0 &&
-                           report_.degenerate_faces == 0 && report_.duplicate_faces == 0;
+    report_.manifold = faces_.size() > 0 && report_.non_manifold_edges == 0 &&
+                       report_.misoriented_edges == 0 && report_.non_manifold_vertices == 0 &&
+                       report_.degenerate_faces == 0 && report_.duplicate_faces == 0;
+    report_.two_manifold = report_.closed && report_.manifold;
     return report_;
   }
 
@@ -161,11 +162,26 @@ class Describer {
       report_.components += !degenerate_[face] && parts.find(face) == face;
     }
     find_split_fans(fans);
+    count_boundary_loops();
+  }
+
+  void count_boundary_loops() {
+    if (boundary_.empty()) return;
+    DisjointSets parts(mesh_.positions.size());
+    std::vector<char> on_boundary(mesh_.positions.size(), 0);
+    for (const auto& [a, b] : boundary_) {
+      parts.join(a, b);
+      on_boundary[a] = on_boundary[b] = 1;
+    }
+    for (std::size_t v = 0; v < on_boundary.size(); ++v) {
+      report_.boundary_loops += on_boundary[v] != 0 && parts.find(v) == v;
+    }
   }
 
   void count_edge(const EdgeUse* uses, std::size_t count, DisjointSets& parts, DisjointSets& fans) {
     ++edges_;
     report_.boundary_edges += count == 1;
+    if (count == 1) boundary_.emplace_back(uses->low, uses->high);
     report_.non_manifold_edges += count > 2;
     report_.misoriented_edges += count == 2 && uses[0].upwards == uses[1].upwards;
     if (count > 2) vertex_faults_[uses->low] = vertex_faults_[uses->high] = true;
@@ -241,6 +257,7 @@ class Describer {
   Faces faces_;
   std::vector<char> degenerate_;
   std::vector<char> vertex_faults_;
+  std::vector<std::pair<Index, Index>> boundary_;
   MeshReport report_;
   std::size_t edges_ = 0;
   std::size_t used_vertices_ = 0;

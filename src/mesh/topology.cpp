@@ -104,4 +104,22 @@ Topology build_topology(std::span<const Triangle> triangles, Index points) {
   return topology;
 }
 
+Index count_boundary_loops(std::span<const Index> twin) {
+  std::vector<char> seen(twin.size(), 0);
+  const auto next_side = [](Index side) { return side % 3 == 2 ? side - 2 : side + 1; };
+  Index loops = 0;
+  for (Index start = 0; start < twin.size(); ++start) {
+    if (twin[start] != kNone || seen[start] != 0) continue;
+    ++loops;
+    Index side = start;
+    do {
+      seen[side] = 1;
+      // Round the corner at the side's end, until the surface ends there too.
+      side = next_side(side);
+      while (twin[side] != kNone) side = next_side(twin[side]);
+    } while (side != start);
+  }
+  return loops;
+}
+
 }  // namespace kdm

@@ -170,20 +170,21 @@ TEST_F(Cli, SameInputSameBytes) {
 TEST_F(Cli, ReportHasTheDocumentedKeys) {
   const Json json = report("cube.obj -o out.ply --check" + kCoarse);
   EXPECT_EQ(keys(json), (Names{"input", "grid", "output", "check", "seconds", "peakBytes"}));
-  EXPECT_EQ(keys(json["input"]),
-            (Names{"vertices", "triangles", "closed", "boundaryEdges", "nonManifoldEdges",
-                   "degenerateFaces", "cancelledFaces", "components", "flipped", "latticeStep"}));
+  EXPECT_EQ(keys(json["input"]), (Names{"vertices", "triangles", "closed", "boundaryEdges",
+                                        "boundaryLoops", "nonManifoldEdges", "degenerateFaces",
+                                        "cancelledFaces", "components", "flipped", "latticeStep"}));
   EXPECT_EQ(keys(json["grid"]),
             (Names{"cells", "leaves", "hits", "depth", "bytes", "topologyResolved",
                    "unresolvedLeaves", "ambiguousFaces", "guessedFaces"}));
+  EXPECT_EQ(keys(json["output"]),
+            (Names{"vertices", "triangles", "quads", "components", "eulerCharacteristic",
+                   "twoManifold", "manifold", "closed", "boundaryLoops", "volume", "area",
+                   "droppedPillows", "insertedVertices", "splitVertices", "linkVertices",
+                   "flippedEdges", "refinedHits", "crossings", "selfIntersections"}));
   EXPECT_EQ(
-      keys(json["output"]),
-      (Names{"vertices", "triangles", "quads", "components", "eulerCharacteristic", "twoManifold",
-             "closed", "volume", "area", "droppedPillows", "insertedVertices", "splitVertices",
-             "linkVertices", "flippedEdges", "refinedHits", "crossings", "selfIntersections"}));
-  EXPECT_EQ(keys(json["check"]),
-            (Names{"twoManifold", "closed", "boundaryEdges", "nonManifoldEdges", "misorientedEdges",
-                   "nonManifoldVertices", "degenerateFaces", "duplicateFaces"}));
+      keys(json["check"]),
+      (Names{"twoManifold", "manifold", "closed", "boundaryEdges", "nonManifoldEdges",
+             "misorientedEdges", "nonManifoldVertices", "degenerateFaces", "duplicateFaces"}));
   EXPECT_EQ(keys(json["seconds"]), (Names{"read", "build", "extract", "write"}));
 
   EXPECT_EQ(json["input"]["vertices"], 8);
@@ -348,7 +349,7 @@ TEST_F(Cli, MistakesInTheArguments) {
   EXPECT_EQ(complaint("cube.obj --strategy fast"),
             "--strategy: 'fast' is none of adaptive, octree, feature, median, uniform");
   EXPECT_EQ(complaint("cube.obj --inside even"),
-            "--inside: 'even' is none of positive, odd, nonzero");
+            "--inside: 'even' is none of positive, odd, nonzero, sheet");
   EXPECT_EQ(complaint("cube.obj --pairing near"),
             "--pairing: 'near' is none of trace, hermite, inside, outside");
   for (const char* depth : {"0", "61", "-1", "9.5", "x", "''", "99999999999999999999"}) {
@@ -368,6 +369,23 @@ TEST_F(Cli, MistakesInTheArguments) {
   EXPECT_NE(complaint("cube.obj other.obj").find("other.obj"), std::string::npos);
   EXPECT_NE(complaint("cube.obj -o out.xyz").find("out.xyz: "), std::string::npos);
   EXPECT_NE(complaint("cube.obj -o no/such/out.obj").find("no/such/out.obj: "), std::string::npos);
+}
+
+TEST_F(Cli, SheetsPassTheCheckWithABoundary) {
+  write("open.obj", shapes::open(shapes::icosphere(2)));
+  const std::string arguments = "open.obj -o out.ply --inside sheet --check";
+  const Json json = report(arguments);
+  EXPECT_EQ(json["input"]["boundaryLoops"], 1);
+  EXPECT_EQ(json["output"]["twoManifold"], false);
+  EXPECT_EQ(json["output"]["manifold"], true);
+  EXPECT_EQ(json["output"]["boundaryLoops"], 1);
+  EXPECT_EQ(json["check"]["manifold"], true);
+  EXPECT_TRUE(check::check_mesh(mesh("out.ply")).manifold);
+  const Outcome outcome = run(arguments);
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_NE(outcome.out.find("manifold with 1 boundary loops"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("passed: 2-manifold with boundary"), std::string::npos);
+  EXPECT_NE(complaint("open.obj").find("not closed"), std::string::npos) << "a solid must be";
 }
 
 TEST_F(Cli, BadInputIsNamedAndLeavesNothing) {

@@ -30,6 +30,7 @@ Mesh tetrahedron_mesh() {
   return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
           {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}},
           {},
+          {},
           {}};
 }
 
@@ -62,6 +63,7 @@ Mesh quad_cube() {
   return {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}},
           {},
           {{3, 2, 1, 0}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}},
+          {},
           {}};
 }
 
@@ -192,7 +194,7 @@ TEST(Describe, Hole) {
   expect_agreement(mesh, "hole");
   // Two faces that touch in the middle of an open fan: the vertex has two fans.
   const Mesh bow = {
-      {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, -1, 0}}, {{0, 1, 2}, {0, 3, 4}}, {}, {}};
+      {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, -1, 0}}, {{0, 1, 2}, {0, 3, 4}}, {}, {}, {}};
   EXPECT_EQ(describe(bow).non_manifold_vertices, 1u);
   expect_agreement(bow, "bow tie");
 }
@@ -215,7 +217,7 @@ TEST(Describe, DuplicateAndDegenerateFaces) {
   expect_agreement(mesh, "degenerate");
 
   // Back to back: every edge has its two faces, yet there is nothing between them.
-  const Mesh pillow = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}, {}, {}};
+  const Mesh pillow = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}, {}, {}, {}};
   EXPECT_TRUE(describe(pillow).closed);
   EXPECT_EQ(describe(pillow).duplicate_faces, 1u);
   EXPECT_FALSE(describe(pillow).two_manifold);

@@ -163,5 +163,70 @@ TEST(Matching, ForbiddenPairsAreAvoidedWherePossible) {
   }
 }
 
+// Of all matchings without crossings and with points left alone, the least (alone, cost).
+struct Brute {
+  std::function<bool(Index, Index)> may_pair;
+  std::function<double(Index, Index)> cost;
+
+  std::pair<Index, double> least(Index begin, Index end) const {
+    if (begin == end) return {0, 0};
+    auto best = least(begin + 1, end);
+    ++best.first;
+    for (Index j = begin + 1; j < end; ++j) {
+      if (!may_pair(begin, j)) continue;
+      const auto within = least(begin + 1, j);
+      const auto after = least(j + 1, end);
+      best = std::min(best,
+                      {within.first + after.first, cost(begin, j) + within.second + after.second});
+    }
+    return best;
+  }
+};
+
+TEST(Matching, SomePairsAreTheMostAndOfThoseTheCheapest) {
+  check::Random random(3);
+  for (int round = 0; round < 600; ++round) {
+    const Index count = random.below(9);
+    std::vector<char> side(count);
+    for (char& s : side) s = random.coin() ? 1 : 0;
+    std::vector<double> cost(count * count);
+    for (double& c : cost) c = round % 2 == 0 ? random.unit() : random.below(4);
+    const Brute brute{[&](Index i, Index j) { return side[i] != side[j]; },
+                      [&](Index i, Index j) { return cost[i * count + j]; }};
+    const Matching partner = match_some(count, brute.may_pair, brute.cost);
+    ASSERT_EQ(partner.size(), count);
+    Index alone = 0;
+    double sum = 0;
+    for (Index i = 0; i < count; ++i) {
+      if (partner[i] == kNone) {
+        ++alone;
+        continue;
+      }
+      ASSERT_EQ(partner[partner[i]], i);
+      ASSERT_NE(side[i], side[partner[i]]);
+      if (partner[i] > i) sum += cost[i * count + partner[i]];
+      for (Index k = 0; k < count; ++k) {
+        if (partner[k] == kNone || k == i || k == partner[i]) continue;
+        const auto within = [&](Index p) {
+          return p > std::min(i, partner[i]) && p < std::max(i, partner[i]);
+        };
+        ASSERT_EQ(within(k), within(partner[k])) << "no two pairs cross";
+      }
+    }
+    const auto [least_alone, least_cost] = brute.least(0, count);
+    ASSERT_EQ(alone, least_alone) << "round " << round;
+    ASSERT_NEAR(sum, least_cost, 1e-12) << "round " << round;
+  }
+}
+
+TEST(Matching, SomePairsOfVeryManyAreMadeLikeBrackets) {
+  const auto opposite = [](Index i, Index j) { return (i < 200) != (j < 200); };
+  const Matching partner = match_some(400, opposite, [](Index, Index) { return 1.0; });
+  for (Index i = 0; i < 400; ++i) EXPECT_EQ(partner[i], 399 - i);
+  const Matching none = match_some(
+      300, [](Index, Index) { return false; }, [](Index, Index) { return 0.0; });
+  EXPECT_EQ(none, Matching(300, kNone));
+}
+
 }  // namespace
 }  // namespace kdm

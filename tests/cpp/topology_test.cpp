@@ -106,6 +106,22 @@ TEST(Topology, UnusedPointsDoNotMatter) {
   EXPECT_EQ(build_topology({}, 5).components, 0u);
 }
 
+TEST(Topology, BoundaryLoopsGoRoundEachHole) {
+  const auto loops = [](const std::vector<Triangle>& triangles) {
+    return count_boundary_loops(build_topology(triangles, 20).twin);
+  };
+  EXPECT_EQ(loops({}), 0u);
+  EXPECT_EQ(loops({{0, 1, 2}}), 1u);
+  EXPECT_EQ(loops({{0, 1, 2}, {2, 1, 0}}), 0u);
+  EXPECT_EQ(loops({{0, 1, 2}, {0, 2, 3}}), 1u);
+  EXPECT_EQ(loops({{0, 1, 2}, {0, 2, 3}, {0, 3, 1}}), 1u) << "round an inner vertex";
+  EXPECT_EQ(loops({{0, 1, 2}, {0, 3, 4}}), 2u) << "a common vertex joins nothing";
+  EXPECT_EQ(loops({{0, 1, 2}, {1, 0, 3}}), 1u);
+  EXPECT_EQ(loops({{0, 1, 2}, {0, 1, 3}}), 2u) << "turned against each other";
+  // A band of six triangles between 0 1 2 and 3 4 5 has two rims.
+  EXPECT_EQ(loops({{0, 1, 3}, {1, 4, 3}, {1, 2, 4}, {2, 5, 4}, {2, 0, 5}, {0, 3, 5}}), 2u);
+}
+
 TEST(Topology, RandomTrianglesAreCountedRight) {
   check::Random random(1);
   for (int round = 0; round < 400; ++round) {

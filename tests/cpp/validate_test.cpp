@@ -302,6 +302,72 @@ TEST(Validate, NoticesHitsThatNoWalkFinds) {
   });
 }
 
+// An open sheet, and what validate says of it with some damage.
+const GridData& sound_sheet() {
+  static const Grid grid = build_grid(
+      shapes::open(shapes::rotated(shapes::torus(1, 0.4, 24, 12), Vec3(1, 2, 3), 1), 100),
+      {.strategy = SplitStrategy::kUniform, .depth = 9, .inside = InsideRule::kSheet});
+  return grid.data();
+}
+
+void expect_sheet_rule(const char* rule, const std::function<void(GridData&)>& damage) {
+  GridData grid = sound_sheet();
+  damage(grid);
+  try {
+    validate(grid);
+    ADD_FAILURE() << "nothing found; expected: " << rule;
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find(std::string("grid: ") + rule + " (at "),
+              std::string::npos)
+        << error.what();
+  }
+}
+
+// The first half-edge for which the predicate holds.
+Index find_half_edge(const GridData& grid, const std::function<bool(Index)>& wanted) {
+  for (Index h = 0; h < grid.opposite.size(); ++h) {
+    if (wanted(h)) return h;
+  }
+  throw std::logic_error("no such half-edge");
+}
+
+TEST(Validate, SheetsHaveRules) {
+  ASSERT_NO_THROW(validate(sound_sheet()));
+  ASSERT_GT(sound_sheet().rims.size(), 1u);
+  const auto linked = [](const GridData& g, bool strip) {
+    return find_half_edge(
+        g, [&](Index h) { return g.opposite[h] != kNone && g.crosses_strip(h) == strip; });
+  };
+  const auto unlink = [](GridData& g, Index h) {
+    g.opposite[g.opposite[h]] = kNone;
+    g.opposite[h] = kNone;
+  };
+  expect_sheet_rule("strips are linked", [&](GridData& g) { unlink(g, linked(g, true)); });
+  expect_sheet_rule("a rim is of a half-edge on the boundary",
+                    [&](GridData& g) { g.rims[0].half_edge = linked(g, false); });
+  expect_sheet_rule("rims ascend", [](GridData& g) { std::swap(g.rims[0], g.rims[1]); });
+  expect_sheet_rule("links are mutual", [&](GridData& g) {
+    g.opposite[linked(g, false)] =
+        find_half_edge(g, [&](Index h) { return g.opposite[h] == kNone; });
+  });
+  expect_sheet_rule("links of a face join its own hits and do not cross", [&](GridData& g) {
+    // Two links of different faces change partners.
+    const Index a = linked(g, false);
+    const Index b = find_half_edge(g, [&](Index h) {
+      return g.opposite[h] != kNone && h != a && h != g.opposite[a] &&
+             g.start_leaf(g.opposite[h]) != g.start_leaf(a) &&
+             g.start_leaf(h) != g.start_leaf(g.opposite[a]) && g.start_leaf(h) != g.start_leaf(a);
+    });
+    link(g, g.opposite[a], g.opposite[b]);
+    link(g, a, b);
+  });
+  expect_rule("only sheets have rims", [](GridData& g) { g.rims = sound_sheet().rims; });
+  GridData open = sound_sheet();
+  Index h = linked(open, false);
+  unlink(open, h);
+  EXPECT_NO_THROW(validate(open)) << "links may be missing";
+}
+
 TEST(Validate, ItsRulesAreThoseOfTheReadme) {
   const std::filesystem::path root =
       std::filesystem::path(__FILE__).parent_path().parent_path().parent_path();
@@ -319,7 +385,7 @@ TEST(Validate, ItsRulesAreThoseOfTheReadme) {
   // Numbered lines without a full stop, and string literals that are no file names or formats.
   const auto listed = matches_in("README.md", std::regex("\n[0-9]+\\. ([a-z][^.\n]*)(?=\n)"));
   const auto checked = matches_in("grid/validate.cpp", std::regex("\"([^\"/{\n]+)\""));
-  EXPECT_EQ(listed.size(), 25u);
+  EXPECT_EQ(listed.size(), 29u);
   EXPECT_EQ(listed, checked);
 }
 

@@ -101,6 +101,33 @@ test('inside decides what overlapping and nested shells mean', () => {
   expect(of('odd')).toBeCloseTo(56, 1);
 });
 
+test('a sheet stays open, and its boundary is counted', () => {
+  const { positions, indices } = torus();
+  const open = { positions, indices: indices.slice(60) };
+  const grid = kdm.buildGrid(open, { inside: 'sheet' });
+  expect(grid.input).toMatchObject({ closed: false, boundaryLoops: 1 });
+  const mesh = grid.extract();
+  expect(mesh.report.boundaryLoops).toBe(1);
+  expect(kdm.describe(mesh)).toMatchObject({
+    closed: false,
+    twoManifold: false,
+    manifold: true,
+    boundaryLoops: 1,
+    components: 1,
+    eulerCharacteristic: -1,
+  });
+  grid.delete();
+  // A square is four corners at any tolerance.
+  const square = convert(
+    {
+      positions: new Float32Array([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0]),
+      indices: new Uint16Array([0, 1, 2, 0, 2, 3]),
+    },
+    { inside: 'sheet', relativeTolerance: 0.05 },
+  );
+  expect(square.indices).toHaveLength(6);
+});
+
 test.each(['trace', 'hermite', 'inside', 'outside'])('pairing %s', (pairing) => {
   const mesh = convert(torus(), { strategy: 'uniform', depth: 9, pairing });
   expect(faults(mesh)).toEqual([]);
@@ -260,8 +287,10 @@ test('describe counts', () => {
   const { positions, indices } = cube();
   expect(kdm.describe({ positions, indices: indices.slice(3) })).toMatchObject({
     boundaryEdges: 3,
+    boundaryLoops: 1,
     closed: false,
     twoManifold: false,
+    manifold: true,
   });
 });
 

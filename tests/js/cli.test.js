@@ -35,6 +35,7 @@ const optionSets = [
   ['--strategy', 'uniform', '--depth', '12', '--quads', '--pairing', 'hermite'],
   ['--strategy', 'octree', '--depth', '12', '--normals', '--crease-angle', '40'],
   ['--strategy', 'uniform', '--depth', '9', '--no-strict', '--inside', 'odd'],
+  ['--strategy', 'octree', '--depth', '15', '--inside', 'sheet'],
 ];
 
 test.each(optionSets.map((set) => [set.join(' '), set]))(

@@ -26,7 +26,9 @@ export function reportAsJson(report: CliReport, command: Command): string {
       components: output.components,
       eulerCharacteristic: output.eulerCharacteristic,
       twoManifold: output.twoManifold,
+      manifold: output.manifold,
       closed: output.closed,
+      boundaryLoops: output.boundaryLoops,
       volume: output.volume,
       area: output.area,
       droppedPillows: output.droppedPillows,
@@ -49,6 +51,7 @@ export function reportAsJson(report: CliReport, command: Command): string {
 function checkOf(output: MeshReport): object {
   return {
     twoManifold: output.twoManifold,
+    manifold: output.manifold,
     closed: output.closed,
     boundaryEdges: output.boundaryEdges,
     nonManifoldEdges: output.nonManifoldEdges,
@@ -82,12 +85,13 @@ export function reportAsText(report: CliReport, command: Command): string {
     `output   ${command.output === undefined ? '' : `${command.output}: `}` +
       `${output.vertices} vertices, ${faces}, ${output.components} parts, ` +
       `Euler characteristic ${output.eulerCharacteristic}, ` +
-      (output.twoManifold ? 'closed 2-manifold' : 'not 2-manifold'),
+      kindText(output, command),
   );
   if (command.check) {
     lines.push(
-      output.twoManifold
-        ? `check    passed: 2-manifold; ${output.selfIntersections || 'no'} pairs of triangles cross`
+      passesCheck(output, command)
+        ? `check    passed: 2-manifold${output.twoManifold ? '' : ' with boundary'}; ` +
+            `${output.selfIntersections || 'no'} pairs of triangles cross`
         : `check    FAILED: ${output.boundaryEdges} boundary, ${output.nonManifoldEdges} ` +
             `non-manifold, ${output.misorientedEdges} misoriented edges, ` +
             `${output.nonManifoldVertices} non-manifold vertices, ${output.degenerateFaces} ` +
@@ -101,6 +105,17 @@ export function reportAsText(report: CliReport, command: Command): string {
       (seconds.write === undefined ? '' : `, write ${time(seconds.write)}`),
   );
   return `${lines.join('\n')}\n`;
+}
+
+function kindText(output: CliReport['output'], command: Command): string {
+  if (output.twoManifold) return 'closed 2-manifold';
+  if (!passesCheck(output, command)) return 'not 2-manifold';
+  return `manifold with ${output.boundaryLoops} boundary loops`;
+}
+
+/** What --check asks: closed and 2-manifold; of a sheet, a manifold that may have a boundary. */
+export function passesCheck(output: MeshReport, command: Command): boolean {
+  return command.build.inside === 'sheet' ? output.manifold : output.twoManifold;
 }
 
 function topologyText(grid: GridStats): string {

@@ -5,7 +5,7 @@
 import { readFileSync, realpathSync, renameSync, rmSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { helpText, readCommand, type Command } from './cli-options.js';
-import { reportAsJson, reportAsText, type CliReport } from './cli-report.js';
+import { passesCheck, reportAsJson, reportAsText, type CliReport } from './cli-report.js';
 import { KdManifoldError } from './errors.js';
 import type { Grid } from './grid.js';
 import { formatFromPath, namesAGrid } from './library.js';
@@ -31,7 +31,7 @@ export async function runCli(args: string[]): Promise<Outcome> {
     if (command.version) return { status: 0, out: `kdmanifold ${library.version}\n`, err: '' };
     const report = convertFile(library, command);
     return {
-      status: command.check && !report.output.twoManifold ? notManifold : 0,
+      status: command.check && !passesCheck(report.output, command) ? notManifold : 0,
       out: command.json ? reportAsJson(report, command) : reportAsText(report, command),
       err: '',
     };

@@ -46,6 +46,7 @@ export function convert(
           components: described.components,
           eulerCharacteristic: described.eulerCharacteristic,
           twoManifold: described.twoManifold,
+          manifold: described.manifold,
           closed: described.closed,
           volume: described.volume,
           area: described.area,

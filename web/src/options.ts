@@ -42,9 +42,9 @@ export const buildOptions: Table<BuildOptions> = {
   },
   inside: {
     kind: 'choice',
-    values: ['positive', 'odd', 'nonzero'],
+    values: ['positive', 'odd', 'nonzero', 'sheet'],
     default: 'positive',
-    help: 'which winding numbers are inside',
+    help: 'which winding numbers are inside; sheet: none, open surfaces stay open',
   },
   pairing: {
     kind: 'choice',

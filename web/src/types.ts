@@ -87,8 +87,11 @@ export interface BuildOptions {
    * - `positive` (default): above 0, the union of overlapping and nested shells
    * - `odd`: odd ones
    * - `nonzero`: all but 0
+   * - `sheet`: there is no inside; all of the surface is kept, as it is turned, and open surfaces stay
+   *   open: the result is a manifold with boundary. Any mesh will do; it comes apart where neighbours
+   *   are turned against each other
    */
-  inside?: 'positive' | 'odd' | 'nonzero';
+  inside?: 'positive' | 'odd' | 'nonzero' | 'sheet';
   /**
    * How hits are linked where a minimal face carries more than two:
    * - `trace` (default): as the input's surface crosses the face
@@ -156,6 +159,8 @@ export interface InputReport {
   /** Every edge is used equally often in both directions. */
   closed: boolean;
   boundaryEdges: number;
+  /** Of the edges at which the surface ends. */
+  boundaryLoops: number;
   /** Edges with three or more faces. */
   nonManifoldEdges: number;
   /** Faces without area on the lattice; they take no part. */
@@ -213,6 +218,8 @@ export interface ExtractReport {
    * leaf, or nearer to each other than 32 bits tell apart, are in each other's way. Else null: nobody has looked.
    */
   crossings: number | null;
+  /** Closed walks along the boundary; only sheets have one. */
+  boundaryLoops: number;
 }
 
 /** What `Grid.extract` gives. */
@@ -229,6 +236,8 @@ export interface MeshReport {
   unreferencedVertices: number;
   /** Edges with one face. */
   boundaryEdges: number;
+  /** Connected parts of the boundary edges. */
+  boundaryLoops: number;
   /** Edges with three or more faces. */
   nonManifoldEdges: number;
   /** Edges whose two faces run the same way along it. */
@@ -247,6 +256,8 @@ export interface MeshReport {
   closed: boolean;
   /** Closed, and none of the faults above. */
   twoManifold: boolean;
+  /** The same, but there may be a boundary. */
+  manifold: boolean;
   /** Signed; positive where normals point outwards. */
   volume: number;
   area: number;
@@ -272,6 +283,8 @@ export interface OutputReport extends ExtractReport {
   eulerCharacteristic: number;
   /** Closed, and every edge and every vertex is that of a surface, consistently oriented. */
   twoManifold: boolean;
+  /** The same, but there may be a boundary: what a sheet comes out as. */
+  manifold: boolean;
   closed: boolean;
   volume: number;
   area: number;

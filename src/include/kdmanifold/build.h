@@ -18,11 +18,13 @@ enum class SplitStrategy {
   kUniform    ///< midpoints in turn, to the full depth wherever a closed cell meets the surface
 };
 
-/// Which winding numbers are inside.
+/// Which winding numbers are inside, or that there is no inside.
 enum class InsideRule {
   kPositive,  ///< winding > 0: union of overlapping and nested shells
   kOdd,       ///< odd winding
-  kNonzero    ///< winding != 0
+  kNonzero,   ///< winding != 0
+  kSheet  ///< no solid: all of the surface is kept, as it is turned, and open surfaces stay open
+          ///< (paper 2.3.2); the result is a manifold with boundary
 };
 
 /// How hits are linked where a minimal face carries more than two.
@@ -49,7 +51,8 @@ struct BuildOptions {
 };
 
 /// Builds the grid of a closed, consistently oriented mesh (after joining vertices of exactly
-/// equal position); overlapping, nested and self-intersecting shells are welcome. Linear in the
+/// equal position); overlapping, nested and self-intersecting shells are welcome. As a sheet any
+/// mesh will do: it comes apart where neighbours are turned against each other. Linear in the
 /// triangles times the depth. Throws `kInvalidMesh`, `kInvalidOption`, `kNotClosed`, `kAborted`.
 Grid build_grid(const Mesh& mesh, const BuildOptions& options = {}, const Progress& progress = {});
 

@@ -65,6 +65,7 @@ struct ExtractReport {
   /// or parts nearer to each other than 32 bits tell apart, are in each other's way. Else nobody
   /// has looked.
   std::optional<std::uint64_t> crossings;
+  Index boundary_loops = 0;     ///< closed walks along the boundary; only sheets have one
 };
 
 /// A mesh with the account of how it was made.
@@ -72,7 +73,8 @@ struct ExtractedMesh : Mesh {
   ExtractReport report;
 };
 
-/// The surface of the grid: closed, oriented outwards, 2-manifold. Linear in the hits.
+/// The surface of the grid: closed, oriented outwards, 2-manifold. Of a sheet: a 2-manifold with
+/// boundary, turned as the input is. Linear in the hits.
 ExtractedMesh extract(const Grid& grid, const ExtractOptions& options = {},
                       const Progress& progress = {});
 

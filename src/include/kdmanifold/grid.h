@@ -16,6 +16,8 @@ struct InputReport {
   Index triangles = 0;
   bool closed = false;  ///< every edge is used equally often in both directions
   Index boundary_edges = 0;
+  Index boundary_loops = 0;  ///< of the edges at which the surface ends: those with one face, and
+                             ///< faces that find none at their edge that runs against them
   Index non_manifold_edges = 0;  ///< edges with three or more faces
   Index degenerate_faces = 0;    ///< faces without area on the lattice; they take no part
   Index cancelled_faces = 0;     ///< faces that lie back to back in pairs; they take no part

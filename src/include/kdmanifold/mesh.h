@@ -31,6 +31,8 @@ struct MeshReport {
   Index quads = 0;
   Index unreferenced_vertices = 0;
   Index boundary_edges = 0;               ///< edges with one face
+  Index boundary_loops = 0;               ///< connected parts of the boundary edges; where nothing
+                                          ///< else is wrong, each is one closed line
   Index non_manifold_edges = 0;           ///< edges with three or more faces
   Index misoriented_edges = 0;            ///< edges whose two faces run the same way along it
   Index non_manifold_vertices = 0;        ///< vertices whose faces do not form one fan; the ends of
@@ -41,6 +43,7 @@ struct MeshReport {
   std::int64_t euler_characteristic = 0;  ///< referenced vertices - edges + faces
   bool closed = false;                    ///< no edge with one face, and at least one face
   bool two_manifold = false;              ///< closed, and none of the faults above
+  bool manifold = false;                  ///< the same, but there may be a boundary
   double volume = 0;  ///< signed, positive where normals point outwards; means nothing
                       ///< unless the mesh is closed and oriented
   double area = 0;    ///< a quad counts as its two triangles at the corners 0 and 2

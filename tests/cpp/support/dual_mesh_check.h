@@ -8,7 +8,8 @@
 
 namespace kdm::check {
 
-/// Links are mutual, run against each other, and each vertex is one ring.
+/// Links are mutual, run against each other, and each vertex is one ring, or one chain from
+/// boundary to boundary.
 inline void expect_sound(const DualMesh& mesh) {
   ASSERT_EQ(mesh.vertex.size(), 3u * mesh.triangles());
   ASSERT_EQ(mesh.opposite.size(), mesh.vertex.size());
@@ -20,11 +21,16 @@ inline void expect_sound(const DualMesh& mesh) {
     do {
       ASSERT_EQ(mesh.vertex[half_edge], v);
       ++ring_sum;
-      half_edge = next_in_triangle(mesh.opposite[half_edge]);
-    } while (half_edge != mesh.first[v]);
+      half_edge = mesh.turn(half_edge);
+    } while (half_edge != mesh.first[v] && half_edge != kNone);
+    if (half_edge != kNone) continue;
+    ASSERT_TRUE(mesh.open);
+    ASSERT_NE(mesh.boundary_into(v), kNone) << "a chain starts at the boundary";
+    ASSERT_EQ(mesh.vertex[next_in_triangle(mesh.boundary_into(v))], v);
   }
   EXPECT_EQ(ring_sum, mesh.vertex.size());
   for (Index h = 0; h < mesh.opposite.size(); ++h) {
+    if (mesh.opposite[h] == kNone) continue;
     ASSERT_EQ(mesh.opposite[mesh.opposite[h]], h);
     ASSERT_EQ(mesh.vertex[mesh.opposite[h]], mesh.vertex[next_in_triangle(h)]);
   }

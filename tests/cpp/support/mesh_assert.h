@@ -17,4 +17,12 @@ inline ::testing::AssertionResult is_two_manifold(const Mesh& mesh) {
          << (mesh.triangles.empty() && mesh.quads.empty() ? "the mesh is empty" : result.faults());
 }
 
+/// The same with a boundary allowed: one or two faces an edge, one fan or half-fan a vertex.
+inline ::testing::AssertionResult is_manifold(const Mesh& mesh) {
+  const MeshCheck result = check_mesh(mesh);
+  if (result.manifold) return ::testing::AssertionSuccess();
+  return ::testing::AssertionFailure()
+         << (mesh.triangles.empty() && mesh.quads.empty() ? "the mesh is empty" : result.faults());
+}
+
 }  // namespace kdm::check

@@ -86,6 +86,28 @@ int count_components(const std::vector<Polygon>& polygons,
   return components;
 }
 
+// From each boundary edge on to the one that starts where it ends.
+int count_boundary_loops(const std::vector<Polygon>& polygons,
+                         const std::map<Edge, std::vector<std::size_t>>& faces_at) {
+  std::map<Index, Index> next;
+  for (const Polygon& polygon : polygons) {
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const bool boundary = faces_at.at(std::minmax(polygon[i], after(polygon, i))).size() == 1;
+      if (boundary) next[polygon[i]] = after(polygon, i);
+    }
+  }
+  int loops = 0;
+  while (!next.empty()) {
+    ++loops;
+    for (auto at = next.begin(); at != next.end();) {
+      const Index to = at->second;
+      next.erase(at);
+      at = next.find(to);
+    }
+  }
+  return loops;
+}
+
 }  // namespace
 
 MeshCheck check_mesh(const Mesh& mesh) {
@@ -139,7 +161,11 @@ MeshCheck check_mesh(const Mesh& mesh) {
                                 static_cast<std::int64_t>(faces_at.size()) +
                                 static_cast<std::int64_t>(polygons.size());
   result.closed = !polygons_of(mesh).empty() && result.boundary_edges == 0;
+  result.boundary_loops = count_boundary_loops(polygons, faces_at);
   result.two_manifold = result.closed && result.faults().empty();
+  MeshCheck closed = result;
+  closed.boundary_edges = 0;
+  result.manifold = !polygons.empty() && closed.faults().empty();
   return result;
 }
 

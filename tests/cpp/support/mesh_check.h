@@ -13,6 +13,7 @@ namespace kdm::check {
 /// Faces with a repeated vertex are counted and take no other part.
 struct MeshCheck {
   int boundary_edges = 0;         ///< edges with one face
+  int boundary_loops = 0;         ///< closed walks along them; means nothing if there are faults
   int non_manifold_edges = 0;     ///< edges with three or more
   int misoriented_edges = 0;      ///< edges whose two faces run the same way
   int non_manifold_vertices = 0;  ///< the edges opposite to the vertex form no single path or ring
@@ -25,6 +26,7 @@ struct MeshCheck {
   bool closed = false;        ///< there are faces, and no edge has one
   bool oriented = false;      ///< every edge is used equally often in both directions
   bool two_manifold = false;  ///< closed, oriented and without any fault
+  bool manifold = false;      ///< the same but for boundary edges
   double volume = 0;
 
   /// All faults in one line, "" if there are none.

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+// Links of sheets.
+//
+// The section of the surface with a minimal face runs from hit to hit or from a hit to the rim.
+// The first two are linked, the last stays on the boundary, and the point where the rim passes
+// through the face is kept: the vertices at both ends of the boundary edge belong on the rim.
+// Nothing alternates round a sheet's face, so two hits may be linked iff their half-edges run
+// against each other. Traced links cross where the input crosses itself.
+// What no trace decides (there is none with the other pairings) is matched at least deviation,
+// as many as possible. So are rims that lie within rounding of each other: cracks of the input.
+#include "build/link_sheet.h"
+
+#include <algorithm>
+
+#include "build/matching.h"
+#include "build/outline.h"
+#include "build/rim.h"
+#include "build/trace.h"
+#include "geometry/assert.h"
+
+namespace kdm {
+namespace {
+
+// Rims this near to each other were one before rounding; lattice units.
+constexpr double kSeam = 2;
+
+class SheetLinking {
+ public:
+  SheetLinking(const Surface& surface, Pairing pairing, GridData& grid)
+      : surface_(surface), pairing_(pairing), grid_(grid) {}
+
+  void operator()(const MinimalFace& face) {
+    if (face.strip()) {
+      link_strip(face);
+      return;
+    }
+    collect_outline(grid_, face, outline_);
+    for (const OutlineHit& h : outline_) {
+      grid_.start[h.half_edge] = h.starts_below ? face.below : face.above;
+    }
+    const auto count = static_cast<Index>(outline_.size());
+    if (count > 2) ++grid_.stats.ambiguous_faces;
+    rims_.assign(count, {kNone, Vec3::Zero(), Vec3::Zero()});
+    partner_.assign(count, kNone);
+    if (pairing_ == Pairing::kTrace) trace_all(face);
+    match_rest(face);
+    for (Index i = 0; i < count; ++i) {
+      if (partner_[i] != kNone) {
+        grid_.opposite[outline_[i].half_edge] = outline_[partner_[i]].half_edge;
+      } else if (rims_[i].half_edge != kNone) {
+        grid_.rims.push_back(rims_[i]);
+      }
+    }
+  }
+
+ private:
+  // The two long sides coincide: their hits are the same crossings and pair one to one.
+  void link_strip(const MinimalFace& face) {
+    const int first = face.lo(0) == face.hi(0) ? 1 : 0;
+    const FaceEdge& a = face.edges[first];
+    const FaceEdge& b = face.edges[first + 2];
+    KDM_ASSERT(a.size() == b.size(), "the long sides of a strip carry the same hits");
+    for (Index i = 0; i < a.size(); ++i) {
+      const OutlineHit one = outline_hit(grid_, a, a.begin + i, first);
+      const OutlineHit other = outline_hit(grid_, b, b.begin + i, first + 2);
+      KDM_ASSERT(compatible(one, other), "linked half-edges run against each other");
+      for (const OutlineHit& h : {one, other}) {
+        grid_.start[h.half_edge] = (h.starts_below ? face.below : face.above) | GridData::kStrip;
+      }
+      grid_.opposite[one.half_edge] = other.half_edge;
+      grid_.opposite[other.half_edge] = one.half_edge;
+    }
+  }
+
+  static bool compatible(const OutlineHit& a, const OutlineHit& b) {
+    return a.starts_below != b.starts_below;
+  }
+
+  // Keeps what both ends agree upon, and where the surface ends within the face.
+  void trace_all(const MinimalFace& face) {
+    ends_.clear();
+    for (const OutlineHit& h : outline_) ends_.push_back({grid_.hits[h.hit].plane(), h.side});
+    const std::array<std::int32_t, 2> lo{face.lo(0), face.lo(1)};
+    const std::array<std::int32_t, 2> hi{face.hi(0), face.hi(1)};
+    const auto count = static_cast<Index>(outline_.size());
+    found_.assign(count, kNone);
+    for (Index i = 0; i < count; ++i) {
+      const Traced traced = trace(surface_, face.axis, face.plane, lo, hi, ends_, i);
+      found_[i] = traced.end;
+      if (traced.rim != kNone) rims_[i] = rim_hit(face, outline_[i].half_edge, traced.rim);
+    }
+    for (Index i = 0; i < count; ++i) {
+      const Index j = found_[i];
+      if (j == kNone || found_[j] != i || !compatible(outline_[i], outline_[j])) continue;
+      partner_[i] = j;
+    }
+  }
+
+  RimHit rim_hit(const MinimalFace& face, Index half_edge, Index side) const {
+    const Vec3 point = rim_point(surface_, side, face.axis, face.plane);
+    return {half_edge, point, rim_plane(surface_, side, grid_.planes[side / 3].normal).normal};
+  }
+
+  void match_rest(const MinimalFace& face) {
+    open_.clear();
+    for (Index i = 0; i < partner_.size(); ++i) {
+      if (partner_[i] == kNone) open_.push_back(i);
+    }
+    if (open_.size() < 2) return;
+    find_tangents(grid_, face, outline_, tangents_);
+    const std::vector<Index> matched = match_some(
+        static_cast<Index>(open_.size()),
+        [&](Index i, Index j) { return may_pair(open_[i], open_[j]); },
+        [&](Index i, Index j) { return deviation(tangents_[open_[i]], tangents_[open_[j]]); });
+    bool guessed = false;
+    for (Index i = 0; i < matched.size(); ++i) {
+      if (matched[i] == kNone) continue;
+      guessed = guessed || rims_[open_[i]].half_edge == kNone;
+      partner_[open_[i]] = open_[matched[i]];
+    }
+    if (guessed && pairing_ == Pairing::kTrace) ++grid_.stats.guessed_faces;
+  }
+
+  bool may_pair(Index i, Index j) const {
+    if (!compatible(outline_[i], outline_[j])) return false;
+    const bool ends = rims_[i].half_edge != kNone;
+    if (ends != (rims_[j].half_edge != kNone)) return false;
+    return !ends || (rims_[i].point - rims_[j].point).norm() <= kSeam;
+  }
+
+  const Surface& surface_;
+  Pairing pairing_;
+  GridData& grid_;
+  std::vector<OutlineHit> outline_;
+  std::vector<TraceEnd> ends_;
+  std::vector<Index> found_;
+  std::vector<Index> partner_;
+  std::vector<RimHit> rims_;  // per hit of the outline; its half-edge is kNone if there is none
+  std::vector<Index> open_;   // those of the outline without partner
+  std::vector<Tangent> tangents_;
+};
+
+}  // namespace
+
+void link_sheet(const Surface& surface, Pairing pairing, GridData& grid) {
+  SheetLinking linking(surface, pairing, grid);
+  for_each_face(grid, cell_boxes(grid), linking);
+  std::sort(grid.rims.begin(), grid.rims.end(),
+            [](const RimHit& a, const RimHit& b) { return a.half_edge < b.half_edge; });
+  grid.rims.shrink_to_fit();
+}
+
+}  // namespace kdm
