@@ -14,6 +14,7 @@
 
 #include "geometry/triangle_box.h"
 #include "geometry/triangle_triangle.h"
+#include "mesh/box_tree.h"
 
 namespace kdm {
 
@@ -236,6 +237,15 @@ bool CellAnalysis::part_is_near(Index triangle) {
 
 // Quadratic in the members, but all that is done for most pairs is to compare bounds.
 bool CellAnalysis::triangles_cross() const {
+  constexpr std::size_t kFew = 64;
+  if (members_.size() > kFew) {
+    std::vector<Box> boxes;
+    boxes.reserve(members_.size());
+    for (const LatticeBox& bounds : bounds_) boxes.push_back({real(bounds.lo), real(bounds.hi)});
+    bool cross = false;
+    BoxTree(boxes).for_each_pair([&](Index i, Index j) { cross = cross || members_cross(i, j); });
+    return cross;
+  }
   for (Index i = 0; i < members_.size(); ++i) {
     for (Index j = 0; j < i; ++j) {
       if (members_cross(i, j)) return true;

@@ -141,7 +141,7 @@ TEST(GridIo, SplitsMayBeNumberedInAnyOrder) {
 TEST(GridIo, ReportsKeepTheirNumbers) {
   GridData grid =
       build_grid(shapes::cube(), {.strategy = SplitStrategy::kUniform, .depth = 3}).data();
-  grid.input = {kNone, 2, true, 4, 5, 6, 7, 8, true, grid.lattice.step};
+  grid.input = {kNone, 2, true, 4, 0, 5, 6, 7, 8, true, grid.lattice.step};
   grid.stats.topology_resolved = true;
   grid.stats.unresolved_leaves = 9;
   grid.stats.guessed_faces = 300;

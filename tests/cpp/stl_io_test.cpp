@@ -83,7 +83,7 @@ TEST(StlRead, FaultsNameTheLineOrByte) {
 TEST(StlRead, EveryBeginningAndEveryChangedByte) {
   const std::string bytes = binary();
   EXPECT_EQ(io_test::refused_beginnings(bytes, MeshFormat::kStl), bytes.size());
-  const Mesh small = {io_test::pyramid().positions, {{0, 1, 4}}, {}, {}};
+  const Mesh small = {io_test::pyramid().positions, {{0, 1, 4}}, {}, {}, {}};
   io_test::try_changed_bytes(format_mesh(small, MeshFormat::kStl), MeshFormat::kStl);
   // Only the last "endsolid a name\n" may be cut short without a complaint, after the keyword.
   const std::string text = kAscii;
@@ -100,7 +100,7 @@ TEST(StlWrite, NormalsHeaderAndQuads) {
   EXPECT_EQ(normal[0], 0);
   EXPECT_EQ(normal[1], 0);
   EXPECT_EQ(normal[2], -1);
-  const Mesh flat = {{{1, 1, 1}, {2, 2, 2}, {3, 3, 3}}, {{0, 1, 2}}, {}, {}};
+  const Mesh flat = {{{1, 1, 1}, {2, 2, 2}, {3, 3, 3}}, {{0, 1, 2}}, {}, {}, {}};
   const std::string zero = format_mesh(flat, MeshFormat::kStl);
   EXPECT_EQ(zero.substr(84, 12), std::string(12, '\0'));
 }

