@@ -34,7 +34,8 @@ constexpr double kFinestTolerance = 2.0;
 // Topology is not pursued in cells smaller than this fraction of the tolerance: where the input is
 // not embedded it never resolves.
 constexpr double kFloor = 1.0 / 8;
-// Above this many triangles a cell is split on the first sign of misfit, without a full analysis.
+// Above this many triangles a cell is split on the first sign of misfit even where shells may hide
+// others.
 constexpr std::size_t kMany = 64;
 
 // A hit to be, with its plane.
@@ -61,7 +62,8 @@ class AdaptiveRule : public SplitRule {
     collect_crossings(cell);
     // Whatever lies in a cell smaller than the tolerance is met.
     const bool small = diagonal(cell.box) <= tolerance_;
-    if (!small && cell.entries.size() > kMany && quick_misfit(cell)) return halve(cell);
+    const bool simple = !hits_.empty() && !dropped_;
+    if (!small && (simple || cell.entries.size() > kMany) && quick_misfit(cell)) return halve(cell);
     analysis_.find_pieces(cell.box, cell.entries, crossings_);
     if (analysis_.members().empty()) return std::nullopt;
     assign_pieces();
