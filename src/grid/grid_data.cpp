@@ -7,7 +7,7 @@ namespace {
 
 template <typename T>
 std::size_t bytes_of(const std::vector<T>& v) {
-  return v.size() * sizeof(T);
+  return v.capacity() * sizeof(T);
 }
 
 }  // namespace

@@ -30,7 +30,7 @@
 //                      where a link begins, 0 where the last link still open ends
 //
 // What follows from this is not stored: boxes, active sides, whether hits are reversed, links of
-// two hits or across strips, and where half-edges start. Planes without hits are left out.
+// two hits or across strips, and where half-edges start.
 #pragma once
 
 #include <cstdint>

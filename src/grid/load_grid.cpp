@@ -38,6 +38,8 @@ class GridReader {
     read_cells(static_cast<Index>(splits));
     read_edges(static_cast<Index>(splits), hits);
     read_hits(static_cast<Index>(splits));
+    grid_.planes.shrink_to_fit();
+    grid_.source_faces.shrink_to_fit();
     mark_active_sides(grid_);
     read_links();
     grid_.stats.cells = static_cast<Index>(grid_.cells.size());

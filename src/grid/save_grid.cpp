@@ -4,6 +4,7 @@
 #include <new>
 #include <utility>
 
+#include "geometry/assert.h"
 #include "grid/faces.h"
 #include "grid/grid_format.h"
 #include "kdmanifold/error.h"
@@ -98,7 +99,6 @@ class GridWriter {
   }
 
   void write_hits() {
-    std::vector<Index> number(grid_.planes.size(), kNone);
     Index met = 0;
     Index source_before = 0;
     for (Index edge = 0; edge < 4 * grid_.splits(); ++edge) {
@@ -109,14 +109,13 @@ class GridWriter {
         const Hit& hit = grid_.hits[h];
         append_varint(out_, hit.position - lowest);
         lowest = std::uint64_t{hit.position} + 1;
-        const bool known = number[hit.plane()] != kNone;
-        const std::uint64_t back = known ? met - number[hit.plane()] : 0;
+        KDM_ASSERT(hit.plane() <= met, "planes come in the order of their first hits");
+        const std::uint64_t back = met - hit.plane();
         const bool first = h == grid_.edge_begin[edge];
         append_varint(out_, first ? 2 * back + (hit.leaving() ? 1 : 0) : back);
-        if (known) continue;
-        number[hit.plane()] = met++;
-        write_plane(grid_.planes[hit.plane()]);
-        const Index source = grid_.source_faces[hit.plane()];
+        if (back > 0) continue;
+        write_plane(grid_.planes[met]);
+        const Index source = grid_.source_faces[met++];
         append_varint(out_, format::from_signed(std::int64_t{source} - source_before));
         source_before = source;
       }

@@ -83,6 +83,17 @@ void validate_edges(const GridData& grid, const std::vector<LatticeBox>& boxes) 
   }
 }
 
+void validate_planes(const GridData& grid) {
+  require(grid.source_faces.size() == grid.planes.size(), "a plane has a source face",
+          grid.planes.size());
+  Index met = 0;
+  for (const Hit& hit : grid.hits) {
+    require(hit.plane() <= met, "planes come in the order of their first hits", hit.plane());
+    if (hit.plane() == met) ++met;
+  }
+  require(met == grid.planes.size(), "planes come in the order of their first hits", met);
+}
+
 // Links join half-edges of one minimal face that run against each other; a solid's without
 // crossings.
 class FaceValidation {
@@ -181,8 +192,7 @@ void validate(const GridData& grid) {
   validate_edges(grid, boxes);
   require(grid.opposite.size() == 3 * grid.hits.size() && grid.start.size() == grid.opposite.size(),
           "a hit has three half-edges", grid.opposite.size());
-  require(grid.source_faces.size() == grid.planes.size(), "a plane has a source face",
-          grid.planes.size());
+  validate_planes(grid);
   validate_rims(grid);
   FaceValidation faces(grid);
   for_each_face(grid, boxes, faces);

@@ -206,7 +206,7 @@ class Recount {
     std::vector<std::pair<Index, Index>> ends;  // half-edge, piece
     for (const FaceEdge& edge : face.edges) {
       for (Index h = edge.begin; h < edge.end; ++h) {
-        ends.emplace_back(3 * h + edge.slot, find(grid_.hits[h].plane()));
+        ends.emplace_back(3 * h + edge.slot, find(grid_.source_faces[grid_.hits[h].plane()]));
       }
     }
     for (const auto& [half_edge, piece] : ends) {

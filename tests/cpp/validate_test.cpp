@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -223,6 +224,16 @@ TEST(Validate, NoticesArraysOfTheWrongSize) {
   expect_rule("a hit has three half-edges", [](GridData& g) { g.opposite.pop_back(); });
   expect_rule("a hit has three half-edges", [](GridData& g) { g.start.push_back(0); });
   expect_rule("a plane has a source face", [](GridData& g) { g.source_faces.pop_back(); });
+  const char* order = "planes come in the order of their first hits";
+  expect_rule(order, [](GridData& g) {  // the first hit has a plane that comes later
+    const auto is_new = [](const Hit& h) { return h.plane() > 0; };
+    g.hits[0] = Hit(g.hits[0].position, std::find_if(g.hits.begin(), g.hits.end(), is_new)->plane(),
+                    g.hits[0].leaving(), g.hits[0].reversed());
+  });
+  expect_rule(order, [](GridData& g) {  // one without hits
+    g.planes.push_back(g.planes[0]);
+    g.source_faces.push_back(0);
+  });
 }
 
 TEST(Validate, NoticesDamagedLinks) {
@@ -385,7 +396,7 @@ TEST(Validate, ItsRulesAreThoseOfTheReadme) {
   // Numbered lines without a full stop, and string literals that are no file names or formats.
   const auto listed = matches_in("README.md", std::regex("\n[0-9]+\\. ([a-z][^.\n]*)(?=\n)"));
   const auto checked = matches_in("grid/validate.cpp", std::regex("\"([^\"/{\n]+)\""));
-  EXPECT_EQ(listed.size(), 29u);
+  EXPECT_EQ(listed.size(), 30u);
   EXPECT_EQ(listed, checked);
 }
 

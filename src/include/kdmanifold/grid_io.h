@@ -18,10 +18,10 @@ namespace kdm {
 std::vector<std::uint8_t> save_grid(const Grid& grid);
 
 /// The grid back: what is extracted from it is the same to the last bit, and saving it again gives
-/// the same bytes. `stats().bytes` may be less, for planes without hits are not kept. Linear in the
-/// bytes, in time and in memory. Everything is checked: bytes that are cut off, damaged or made up
-/// give `kParseError`, with the byte or the broken rule, as does a version this library does not
-/// know; `name` is what messages call the source. Throws `kOutOfMemory`.
+/// the same bytes. Linear in the bytes, in time and in memory. Everything is checked: bytes that are
+/// cut off, damaged or made up give `kParseError`, with the byte or the broken rule, as does a
+/// version this library does not know; `name` is what messages call the source. Throws
+/// `kOutOfMemory`.
 Grid load_grid(std::span<const std::uint8_t> bytes, std::string_view name = "grid");
 
 /// Does the file's name end in `.kdgrid` (any case), as the names of saved grids do?
