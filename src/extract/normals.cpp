@@ -41,18 +41,23 @@ class CornerNormals {
   const Vec3& face_normal(Index half_edge) const { return hit_normals_[mesh_.hit[half_edge / 3]]; }
 
   // The half-edges that start in one vertex; each runs along the link to the next one's triangle.
-  void collect_fan(Index first) {
+  // On the boundary they are a chain from one side to the other.
+  void collect_fan(Index any) {
     fan_.clear();
+    const Index v = mesh_.vertex[any];
+    chain_ = mesh_.boundary_into(v) != kNone;
+    const Index first = chain_ ? mesh_.first[v] : any;
     Index half_edge = first;
     do {
       fan_.push_back(half_edge);
       done_[half_edge] = 1;
-      half_edge = next_in_triangle(mesh_.opposite[half_edge]);
-    } while (half_edge != first);
+      half_edge = mesh_.turn(half_edge);
+    } while (half_edge != first && half_edge != kNone);
   }
 
   void divide_fan() {
     const auto crease_before = [&](std::size_t i) {
+      if (i == 0 && chain_) return true;
       const Index before = fan_[i == 0 ? fan_.size() - 1 : i - 1];
       return face_normal(before).dot(face_normal(fan_[i])) < limit_;
     };
@@ -91,6 +96,7 @@ class CornerNormals {
   std::vector<Vec3> normals_;
   std::vector<char> done_;
   std::vector<Index> fan_;
+  bool chain_ = false;  // the fan ends at the boundary on both sides
 };
 
 }  // namespace

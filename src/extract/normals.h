@@ -17,7 +17,8 @@ std::vector<Vec3> hit_normals(const GridData& grid);
 /// Per half-edge: the normal at the corner where it starts. The triangles round a vertex fall into
 /// sections between creases, links across which the hits' normals turn by more than the angle with
 /// this cosine; all corners of a section have one normal, the average of its hits', weighted by the
-/// sine of half the corner's angle. Half-edges of dropped triangles get zeros. Linear.
+/// sine of half the corner's angle. Nothing is averaged over a boundary. Half-edges of dropped
+/// triangles get zeros. Linear.
 std::vector<Vec3> corner_normals(const GridData& grid, const DualMesh& mesh, double crease_cosine);
 
 }  // namespace kdm

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -15,6 +16,7 @@
 #include "support/mesh_assert.h"
 #include "support/random_meshes.h"
 #include "support/shapes.h"
+#include "support/sheets.h"
 
 namespace kdm {
 namespace {
@@ -145,6 +147,51 @@ TEST(Normals, PointOutOfTheSolidInCavitiesToo) {
     ASSERT_EQ(from_centre.dot(normal) < 0, cavity);
   });
   EXPECT_GT(inner, 0);
+}
+
+// On the boundary, corners are chains instead of rings.
+ExtractedMesh sheet_with_normals(const Mesh& mesh) {
+  const Grid grid = build_grid(mesh, {.relative_tolerance = 0.005, .inside = InsideRule::kSheet});
+  ExtractedMesh out = extract(grid, {.normals = true});
+  EXPECT_GT(out.report.boundary_loops, 0u);
+  EXPECT_EQ(out.corner_normals.size(), 3 * out.triangles.size());
+  return out;
+}
+
+TEST(Normals, AFlatSheetHasOne) {
+  const Vec3 axis(1, 2, 3);
+  const Mesh square = shapes::grid_sheet(1, 1, [](double, double) { return 0.0; });
+  const Vec3 up = Eigen::AngleAxisd(0.9, axis.normalized()) * Vec3::UnitZ();
+  int corners = 0;
+  for_each_corner(sheet_with_normals(shapes::rotated(square, axis, 0.9)),
+                  [&](const Vec3&, const Vec3& normal) {
+                    ASSERT_LT((normal - up).norm(), 1e-6);
+                    ++corners;
+                  });
+  EXPECT_GE(corners, 6);
+}
+
+TEST(Normals, HalfACylinderIsSmoothUpToItsRim) {
+  Mesh half = shapes::tube(0.4, 1, 64);
+  half.triangles.resize(half.triangles.size() / 2);
+  for_each_corner(sheet_with_normals(half), [](const Vec3& position, const Vec3& normal) {
+    ASSERT_NEAR(normal.norm(), 1, 1e-6);
+    ASSERT_NEAR(normal.z(), 0, 1e-6);
+    const Vec3 radial = Vec3(position.x(), position.y(), 0).normalized();
+    ASSERT_GT(normal.dot(radial), std::cos(0.2)) << position.transpose();
+  });
+}
+
+TEST(Normals, CreasesRunUpToTheBoundary) {
+  for (const shapes::OpenShape& shape : shapes::open_shapes()) {
+    if (shape.name != "lidless_cube") continue;
+    int on_rim = 0;
+    for_each_corner(sheet_with_normals(shape.mesh), [&](const Vec3& position, const Vec3& normal) {
+      ASSERT_EQ(normal.cwiseAbs().maxCoeff(), 1) << "exactly along an axis";
+      on_rim += position.z() > 0.999 ? 1 : 0;
+    });
+    EXPECT_GE(on_rim, 8 + 4);
+  }
 }
 
 TEST(Normals, AreUnitWhateverTheInput) {
