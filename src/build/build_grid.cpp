@@ -75,7 +75,7 @@ Grid build_grid(const Mesh& mesh, const BuildOptions& options, const Progress& p
   grid->planes = std::move(surface.planes);
   grid->source_faces = std::move(surface.source_faces);
   link_half_edges(surface, options.pairing, *grid);
-  keep_used_planes(*grid);
+  keep_used_planes(surface, *grid);
   grid->stats.cells = static_cast<Index>(grid->cells.size());
   grid->stats.leaves = static_cast<Index>(grid->cells.size() - grid->cells.size() / 2);
   grid->stats.hits = static_cast<Index>(grid->hits.size());

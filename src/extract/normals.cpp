@@ -22,8 +22,8 @@ double sine_of_half_angle(const Vec3& a, const Vec3& b) {
 class CornerNormals {
  public:
   CornerNormals(const GridData& grid, const DualMesh& mesh, double crease_cosine)
-      : mesh_(mesh),
-        hit_normals_(hit_normals(grid)),
+      : grid_(grid),
+        mesh_(mesh),
         limit_(crease_cosine - kSlack),
         normals_(mesh.opposite.size(), Vec3::Zero()),
         done_(mesh.opposite.size(), 0) {}
@@ -38,7 +38,9 @@ class CornerNormals {
   }
 
  private:
-  const Vec3& face_normal(Index half_edge) const { return hit_normals_[mesh_.hit[half_edge / 3]]; }
+  const Vec3& face_normal(Index half_edge) const {
+    return grid_.planes[grid_.hits[mesh_.hit[half_edge / 3]].plane()].normal;
+  }
 
   // The half-edges that start in one vertex; each runs along the link to the next one's triangle.
   // On the boundary they are a chain from one side to the other.
@@ -90,8 +92,8 @@ class CornerNormals {
     }
   }
 
+  const GridData& grid_;
   const DualMesh& mesh_;
-  std::vector<Vec3> hit_normals_;
   double limit_;
   std::vector<Vec3> normals_;
   std::vector<char> done_;
@@ -114,24 +116,6 @@ double cosine_of_degrees(double degrees) {
     sum += term;
   }
   return sum;
-}
-
-std::vector<Vec3> hit_normals(const GridData& grid) {
-  std::vector<Vec3> normals(grid.hits.size());
-  for (const Cell& cell : grid.cells) {
-    if (cell.leaf()) continue;
-    for (int i = 0; i < 4; ++i) {
-      const Index edge = 4 * cell.split() + static_cast<Index>(i);
-      const int axis = axis_of_edge(cell.axis(), i);
-      for (Index h = grid.edge_begin[edge]; h < grid.edge_begin[edge + 1]; ++h) {
-        const Hit& hit = grid.hits[h];
-        const Vec3& normal = grid.planes[hit.plane()].normal;
-        const bool turned = hit.leaving() ? normal[axis] < 0 : normal[axis] > 0;
-        normals[h] = turned ? Vec3(-normal) : normal;
-      }
-    }
-  }
-  return normals;
 }
 
 std::vector<Vec3> corner_normals(const GridData& grid, const DualMesh& mesh, double crease_cosine) {

@@ -10,10 +10,6 @@ namespace kdm {
 /// which the standard library's does not promise.
 double cosine_of_degrees(double degrees);
 
-/// The unit normal of the input at every hit, pointing out of the solid: where the inside rule
-/// makes a cavity of a shell, against that of the input's face.
-std::vector<Vec3> hit_normals(const GridData& grid);
-
 /// Per half-edge: the normal at the corner where it starts. The triangles round a vertex fall into
 /// sections between creases, links across which the hits' normals turn by more than the angle with
 /// this cosine; all corners of a section have one normal, the average of its hits', weighted by the

@@ -98,6 +98,24 @@ TEST(Unfold, TakesAwayMostSelfIntersections) {
   EXPECT_LT(8 * after, before);
 }
 
+// With odd windings shells that face outwards make cavities as shells turned inwards do by default.
+TEST(Unfold, CavitiesAreNotTakenForFolds) {
+  const Mesh stairs = shapes::rotated(shapes::stairs(4), Vec3(1, 2, 3), 0.7);
+  const Mesh around = shapes::box(Vec3(-9, -9, -9), Vec3(9, 9, 9));
+  for (const bool round : {true, false}) {
+    const Mesh outward = round ? shapes::nested_shells() : shapes::merged({around, stairs});
+    const Mesh inward =
+        round ? shapes::nested_spheres() : shapes::merged({around, shapes::inverted(stairs)});
+    const ExtractedMesh odd =
+        extract(build_grid(outward, {.relative_tolerance = 0.002, .inside = InsideRule::kOdd}));
+    const ExtractedMesh usual = extract(build_grid(inward, {.relative_tolerance = 0.002}));
+    EXPECT_EQ(odd.report.flipped_edges, usual.report.flipped_edges);
+    EXPECT_EQ(odd.report.split_vertices, usual.report.split_vertices);
+    EXPECT_EQ(odd.triangles, usual.triangles);
+    EXPECT_TRUE(round || usual.report.flipped_edges > 0);
+  }
+}
+
 TEST(Unfold, TopologyAndVerticesStay) {
   for (std::uint32_t seed = 0; seed < 20; ++seed) {
     const Grid grid = build_grid(shapes::random_voxels(4, 0.5, seed),

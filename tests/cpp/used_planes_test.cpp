@@ -2,6 +2,8 @@
 // Which planes a built grid keeps.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "grid/grid_data.h"
 #include "kdmanifold/build.h"
 #include "kdmanifold/extract.h"
@@ -29,11 +31,42 @@ TEST(UsedPlanes, MemoryIsWhatWasAllocated) {
   EXPECT_EQ(grid.bytes(), empty + 100 * sizeof(Plane) + 10 * sizeof(Hit));
 }
 
+double up_edge(const GridData& grid, const Cell& cell, Index i, Index hit) {
+  return grid.planes[grid.hits[hit].plane()].normal[axis_of_edge(cell.axis(), static_cast<int>(i))];
+}
+
+// A ball in a ball: with odd windings a cavity, whichever way the inner one faces; and a ball that
+// is inside out, a solid if what is not zero is inside.
+TEST(UsedPlanes, PointOutOfTheSolid) {
+  const Mesh ball_and_turned =
+      shapes::merged({shapes::icosphere(3),
+                      shapes::translated(shapes::inverted(shapes::icosphere(2)), Vec3(3, 0, 0))});
+  const std::vector<std::pair<Mesh, InsideRule>> cases = {
+      {shapes::nested_shells(), InsideRule::kOdd},
+      {shapes::nested_spheres(), InsideRule::kOdd},
+      {shapes::nested_spheres(), InsideRule::kPositive},
+      {ball_and_turned, InsideRule::kNonzero}};
+  for (const auto& [mesh, rule] : cases) {
+    const GridData grid =
+        build_grid(mesh, {.strategy = SplitStrategy::kUniform, .depth = 12, .inside = rule}).data();
+    for (const Cell& cell : grid.cells) {
+      if (cell.leaf()) continue;
+      for (Index i = 0; i < 4; ++i) {
+        const Index edge = 4 * cell.split() + i;
+        for (Index h = grid.edge_begin[edge]; h < grid.edge_begin[edge + 1]; ++h) {
+          const double up = up_edge(grid, cell, i, h);
+          if (std::abs(up) < 1e-3) continue;  // the lattice's triangle is another
+          ASSERT_EQ(up > 0, grid.hits[h].leaving());
+        }
+      }
+    }
+  }
+}
+
 // Every plane is that of the face which it names, but for the lattice's units.
 TEST(UsedPlanes, KeepTheirFaces) {
   const Mesh mesh = shapes::rotated(shapes::torus(1, 0.4, 24, 12), Vec3(1, 2, 3), 1);
-  const GridData grid =
-      build_grid(mesh, {.strategy = SplitStrategy::kUniform, .depth = 9}).data();
+  const GridData grid = build_grid(mesh, {.strategy = SplitStrategy::kUniform, .depth = 9}).data();
   ASSERT_GT(grid.planes.size(), 100u);
   for (std::size_t p = 0; p < grid.planes.size(); ++p) {
     for (const Index v : mesh.triangles[grid.source_faces[p]]) {
