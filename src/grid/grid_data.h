@@ -99,7 +99,8 @@ struct GridData {
   std::vector<Index> opposite;  ///< per half-edge: the half-edge it is linked to; kNone: boundary
   /// Per half-edge: the leaf in which it starts, and whether its link crosses a strip.
   std::vector<std::uint32_t> start;
-  /// Of input faces with hits, in the order of the first hits; their normals point out of the solid.
+  /// Of input faces with hits, in the order of the first hits; their normals point out of the
+  /// solid.
   std::vector<Plane> planes;
   std::vector<Index> source_faces;  ///< per plane: the input face it is of
   bool sheet = false;               ///< not a solid's: half-edges may lie on the boundary

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The bytes of a saved grid, version 1. Numbers are little-endian; `n` is a variable-length number
+// The bytes of a saved grid, version 2. Numbers are little-endian; `n` is a variable-length number
 // of seven bits a byte (mesh/bytes.h), `f64` a double, `z` a signed number as n: 0, -1, 1, -2, ...
 // as 0, 1, 2, 3, ...
 //
@@ -12,7 +12,8 @@
 //   reports  7 n       of the input: vertices, triangles, boundary edges, non-manifold edges,
 //                      degenerate faces, cancelled faces, components
 //            2 n       of the grid: unresolved leaves, guessed faces
-//            u8        1: input closed, 2: input flipped, 4: topology resolved
+//            u8        1: input closed, 2: input flipped, 4: topology resolved, 8: a sheet's grid
+//            if a sheet's: n  boundary loops of the input
 //   sizes    n, n      splits, hits
 //   cells    a split: n  8 (3 z + axis) + 4 stray + 2 (upper child is split) + (lower child is
 //                      split), z being the split value less the middle of the cell; if stray:
@@ -21,16 +22,20 @@
 //   edges    a split: u8  two bits an edge, edge 0 lowest: the number of hits, or 3 for more; then
 //                      for each edge with more: n, the number less 3
 //   hits     a hit: n    position less the lowest possible: the edge's lower end, or one unit of
-//                      2^-12 above the hit before
+//                      2^-12 above the hit before (a sheet's: the hit before)
 //            n           planes met so far less the number of its plane, so that 0 is a new one;
-//                      for the first hit of an edge twice that, plus 1 if it is leaving
+//                      for the first hit of an edge and all hits of sheets twice that, plus 1 if
+//                      it is leaving
 //            if new: 4 f64, z  normal and offset; source face less that of the plane before
 //   links    bits      for each minimal face with more than two hits that is no strip, as
 //                      `for_each_face` visits them, a bit a hit in the order of `for_each_hit`: 1
-//                      where a link begins, 0 where the last link still open ends
+//                      where a link begins, 0 where the last link still open ends; of sheets for
+//                      each face that is no strip, whatever `SheetLinkDecisions` ask, 1 for yes
+//   rims     n         their number; only of sheets
+//            a rim: n, 3 f64, 3 f64  half-edge less that of the rim before, less 1; point; normal
 //
-// What follows from this is not stored: boxes, active sides, whether hits are reversed, links of
-// two hits or across strips, and where half-edges start.
+// What follows from this is not stored: boxes, active sides, whether hits are reversed, a solid's
+// links of two hits, links across strips, and where half-edges start.
 #pragma once
 
 #include <cstdint>
@@ -41,7 +46,7 @@
 namespace kdm::grid_format {
 
 inline constexpr std::string_view kMagic = "\x89kdgrid\n";
-inline constexpr std::uint32_t kVersion = 1;
+inline constexpr std::uint32_t kVersion = 2;
 inline constexpr std::size_t kHeaderBytes = 8 + 4 + 8 + 8;
 
 /// Planes are numbered by 30 bits, cells and half-edges by 31 and 32.
@@ -51,7 +56,7 @@ inline constexpr std::uint64_t kMostSplits = (1u << 30) - 1;
 /// An edge with this many hits or more has the number spelled out.
 inline constexpr Index kManyHits = 3;
 
-inline constexpr unsigned kClosed = 1, kFlipped = 2, kTopologyResolved = 4;
+inline constexpr unsigned kClosed = 1, kFlipped = 2, kTopologyResolved = 4, kSheet = 8;
 inline constexpr unsigned kBelowIsSplit = 1, kAboveIsSplit = 2, kStray = 4;
 
 inline std::uint64_t checksum(std::string_view bytes) {

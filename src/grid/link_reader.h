@@ -7,11 +7,14 @@
 
 #include "grid/faces.h"
 #include "grid/grid_format.h"
+#include "grid/read_numbers.h"
+#include "grid/sheet_links.h"
 #include "mesh/bytes.h"
 
 namespace kdm {
 
-/// To be called with every minimal face, and `finish`ed. Throws as the reader does.
+/// To be called with every minimal face, and `finish`ed; a sheet's rims follow. Throws as the
+/// reader does.
 class LinkReader {
  public:
   LinkReader(ByteReader& bytes, GridData& grid) : bytes_(bytes), grid_(grid) {
@@ -24,6 +27,10 @@ class LinkReader {
     if (stored) ++grid_.stats.ambiguous_faces;
     if (face.strip()) {
       link_strip(face);
+      return;
+    }
+    if (grid_.sheet) {
+      link_sheet(face);
       return;
     }
     open_.clear();
@@ -41,7 +48,26 @@ class LinkReader {
   }
 
   void finish() const {
-    if (bytes_.bytes_left() > 0 || byte_ != 0) bytes_.fail("the links end here, but not the file");
+    if (byte_ != 0) bytes_.fail("the links end here, but not the bits");
+  }
+
+  void read_rims() const {
+    const std::uint64_t half_edges = grid_.opposite.size();
+    const std::uint64_t count = bytes_.take_varint(half_edges, "the number of rims");
+    bytes_.require(count, 1 + 6 * sizeof(double), "rim");
+    grid_.rims.reserve(static_cast<std::size_t>(count));
+    std::uint64_t next = 0;
+    for (std::uint64_t i = 0; i < count; ++i) {
+      const std::uint64_t half_edge = next + bytes_.take_varint(half_edges, "a rim's half-edge");
+      if (half_edge >= half_edges) bytes_.fail("a rim's half-edge is none");
+      next = half_edge + 1;
+      Vec3 point;
+      for (int axis = 0; axis < 3; ++axis) {
+        point[axis] = take_real(bytes_, 0, kLatticeSize, "a rim's point");
+      }
+      const Vec3 normal = take_normal(bytes_, true, "a rim's normal");
+      grid_.rims.push_back({static_cast<Index>(half_edge), point, normal});
+    }
   }
 
  private:
@@ -62,6 +88,19 @@ class LinkReader {
     for (Index i = 0; i < a.size(); ++i) {
       link(face, end_of(a, a.begin + i), end_of(b, b.begin + i), GridData::kStrip);
     }
+  }
+
+  void link_sheet(const MinimalFace& face) {
+    ends_.clear();
+    starts_below_.clear();
+    for_each_hit(face, [&](const FaceEdge& edge, Index hit, int) {
+      ends_.push_back(end_of(edge, hit));
+      starts_below_.push_back(ends_.back().starts_below);
+      grid_.start[ends_.back().half_edge] = starts_below_.back() ? face.below : face.above;
+    });
+    decide_(
+        starts_below_, [&](Index) { return next_bit(); }, [&](Index, Index) { return next_bit(); },
+        [&](Index i, Index j) { link(face, ends_[i], ends_[j], 0); });
   }
 
   void link(const MinimalFace& face, const End& a, const End& b, std::uint32_t strip) {
@@ -87,6 +126,9 @@ class LinkReader {
   ByteReader& bytes_;
   GridData& grid_;
   std::vector<End> open_;
+  std::vector<End> ends_;
+  std::vector<bool> starts_below_;
+  SheetLinkDecisions decide_;
   unsigned byte_ = 0;  // what is left of the last one
   int bits_ = 0;
 };

@@ -4,13 +4,13 @@
 // The bytes may come from anybody, so the checksum proves nothing. Every number is held against
 // its range where it is read, every count against the bytes that are left (so no allocation exceeds
 // a fixed multiple of the file), tree walks against a limit of steps; what is left is `validate`'s.
-#include <cmath>
 #include <limits>
 #include <memory>
 #include <new>
 
 #include "grid/grid_format.h"
 #include "grid/link_reader.h"
+#include "grid/read_numbers.h"
 #include "grid/validate.h"
 #include "kdmanifold/error.h"
 #include "kdmanifold/grid_io.h"
@@ -53,27 +53,15 @@ class GridReader {
     return static_cast<Index>(bytes_.take_varint(most, what));
   }
 
-  // Rounding errors apart, what is not finite fails every comparison.
-  double take_real(double least, double most, std::string_view what) {
-    bytes_.require(1, sizeof(double), what);
-    const std::size_t at = bytes_.offset();
-    const double value = bytes_.take<double, std::uint64_t>();
-    if (!(value >= least && value <= most)) {
-      bytes_.fail_at(at,
-                     fmt::format("{} is {}; it should be from {} to {}", what, value, least, most));
-    }
-    return value;
-  }
-
   void read_lattice() {
     // Coordinates of accepted meshes are below 1e150.
     constexpr double kFar = 1e152;
     for (int axis = 0; axis < 3; ++axis) {
-      grid_.lattice.origin[axis] = take_real(-kFar, kFar, "the lattice's origin");
+      grid_.lattice.origin[axis] = take_real(bytes_, -kFar, kFar, "the lattice's origin");
     }
     constexpr double kLeastStep = std::numeric_limits<double>::min();
-    grid_.lattice.step = take_real(kLeastStep, kFar, "the lattice's step");
-    grid_.tolerance = take_real(0, std::numeric_limits<double>::max(), "the tolerance");
+    grid_.lattice.step = take_real(bytes_, kLeastStep, kFar, "the lattice's step");
+    grid_.tolerance = take_real(bytes_, 0, std::numeric_limits<double>::max(), "the tolerance");
   }
 
   void read_reports() {
@@ -86,13 +74,15 @@ class GridReader {
     }
     bytes_.require(1, 1, "flags");
     const auto flags = bytes_.take_unsigned<std::uint8_t>();
-    if (flags > (format::kClosed | format::kFlipped | format::kTopologyResolved)) {
+    if (flags >= 2 * format::kSheet) {
       bytes_.fail("there are no such flags");
     }
     input.closed = (flags & format::kClosed) != 0;
     input.flipped = (flags & format::kFlipped) != 0;
     input.lattice_step = grid_.lattice.step;
     grid_.stats.topology_resolved = (flags & format::kTopologyResolved) != 0;
+    grid_.sheet = (flags & format::kSheet) != 0;
+    if (grid_.sheet) input.boundary_loops = take_index(kAnyIndex, "the number of boundary loops");
   }
 
   void read_cells(Index splits) {
@@ -187,10 +177,11 @@ class GridReader {
         if (lowest >= beyond) bytes_.fail("an edge has no room for its hits");
         const std::uint64_t position =
             lowest + bytes_.take_varint(beyond - lowest - 1, "the position of a hit");
-        lowest = position + 1;
+        lowest = position + (grid_.sheet ? 0 : 1);
         const std::uint64_t met = grid_.planes.size();
-        std::uint64_t back = bytes_.take_varint(h == begin ? 2 * met + 1 : met, "a hit's plane");
-        if (h == begin) {
+        const bool directed = grid_.sheet || h == begin;
+        std::uint64_t back = bytes_.take_varint(directed ? 2 * met + 1 : met, "a hit's plane");
+        if (directed) {
           leaving = (back & 1) != 0;
           back /= 2;
         } else {
@@ -206,14 +197,9 @@ class GridReader {
 
   void read_plane() {
     Plane plane;
-    const std::size_t at = bytes_.offset();
-    for (int axis = 0; axis < 3; ++axis) plane.normal[axis] = take_real(-1.1, 1.1, "a normal");
-    constexpr double kRounding = 1e-6;
-    if (std::abs(plane.normal.squaredNorm() - 1) > kRounding) {
-      bytes_.fail_at(at, "a normal is not of length 1");
-    }
+    plane.normal = take_normal(bytes_, false, "a normal");
     // Planes meet the root cell; its diagonal is less than two sides.
-    plane.offset = take_real(-2.0 * kLatticeSize, 2.0 * kLatticeSize, "a plane's offset");
+    plane.offset = take_real(bytes_, -2.0 * kLatticeSize, 2.0 * kLatticeSize, "a plane's offset");
     constexpr std::uint64_t kMost = std::uint64_t{1} << 33;
     const std::int64_t source =
         source_before_ + format::to_signed(bytes_.take_varint(kMost, "a source face"));
@@ -233,6 +219,8 @@ class GridReader {
       bytes_.fail("the cells have far more sides in common than those of grids that are built");
     }
     links.finish();
+    if (grid_.sheet) links.read_rims();
+    if (bytes_.bytes_left() > 0) bytes_.fail("the grid ends here, but not the file");
   }
 
   ByteReader& bytes_;

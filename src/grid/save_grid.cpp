@@ -7,6 +7,7 @@
 #include "geometry/assert.h"
 #include "grid/faces.h"
 #include "grid/grid_format.h"
+#include "grid/sheet_links.h"
 #include "kdmanifold/error.h"
 #include "kdmanifold/grid_io.h"
 #include "mesh/bytes.h"
@@ -33,13 +34,15 @@ class GridWriter {
     write_cells();
     write_edges();
     write_hits();
-    write_links();
+    for_each_face(grid_, boxes_, [&](const MinimalFace& face) { write_links(face); });
+    append_bits();
+    if (grid_.sheet) write_rims();
     return std::move(out_);
   }
 
  private:
   void write_lattice() {
-    for (int axis = 0; axis < 3; ++axis) append_f64(out_, grid_.lattice.origin[axis]);
+    write_vector(grid_.lattice.origin);
     append_f64(out_, grid_.lattice.step);
     append_f64(out_, grid_.tolerance);
   }
@@ -55,7 +58,9 @@ class GridWriter {
     append_u8(out_,
               static_cast<std::uint8_t>(
                   (input.closed ? format::kClosed : 0) | (input.flipped ? format::kFlipped : 0) |
-                  (grid_.stats.topology_resolved ? format::kTopologyResolved : 0)));
+                  (grid_.stats.topology_resolved ? format::kTopologyResolved : 0) |
+                  (grid_.sheet ? format::kSheet : 0)));
+    if (grid_.sheet) append_varint(out_, input.boundary_loops);
   }
 
   // Keeps account of what the reader knows: `pending` are the cells known to be split, of which
@@ -108,11 +113,11 @@ class GridWriter {
       for (Index h = grid_.edge_begin[edge]; h < grid_.edge_begin[edge + 1]; ++h) {
         const Hit& hit = grid_.hits[h];
         append_varint(out_, hit.position - lowest);
-        lowest = std::uint64_t{hit.position} + 1;
+        lowest = std::uint64_t{hit.position} + (grid_.sheet ? 0 : 1);
         KDM_ASSERT(hit.plane() <= met, "planes come in the order of their first hits");
         const std::uint64_t back = met - hit.plane();
-        const bool first = h == grid_.edge_begin[edge];
-        append_varint(out_, first ? 2 * back + (hit.leaving() ? 1 : 0) : back);
+        const bool directed = grid_.sheet || h == grid_.edge_begin[edge];
+        append_varint(out_, directed ? 2 * back + (hit.leaving() ? 1 : 0) : back);
         if (back > 0) continue;
         write_plane(grid_.planes[met]);
         const Index source = grid_.source_faces[met++];
@@ -123,37 +128,78 @@ class GridWriter {
   }
 
   void write_plane(const Plane& plane) {
-    for (int axis = 0; axis < 3; ++axis) append_f64(out_, plane.normal[axis]);
+    write_vector(plane.normal);
     append_f64(out_, plane.offset);
   }
 
-  void write_links() {
-    unsigned byte = 0;
-    int bits = 0;
-    std::vector<Index> place(3 * grid_.hits.size());
-    for_each_face(grid_, boxes_, [&](const MinimalFace& face) {
-      if (!format::has_stored_links(face)) return;
-      Index count = 0;
-      for_each_hit(face, [&](const FaceEdge& edge, Index hit, int) {
-        place[3 * hit + edge.slot] = count++;
-      });
-      for_each_hit(face, [&](const FaceEdge& edge, Index hit, int) {
-        const Index half_edge = 3 * hit + edge.slot;
-        const bool begins = place[grid_.opposite[half_edge]] > place[half_edge];
-        byte |= (begins ? 1u : 0u) << bits;
-        if (++bits < 8) return;
-        append_u8(out_, static_cast<std::uint8_t>(byte));
-        byte = 0;
-        bits = 0;
-      });
+  void write_links(const MinimalFace& face) {
+    if (grid_.sheet ? face.strip() : !format::has_stored_links(face)) return;
+    outline_.clear();
+    starts_below_.clear();
+    for_each_hit(face, [&](const FaceEdge& edge, Index hit, int) {
+      outline_.push_back(3 * hit + edge.slot);
+      starts_below_.push_back(starts_below(edge, grid_.hits[hit].reversed()));
     });
-    if (bits > 0) append_u8(out_, static_cast<std::uint8_t>(byte));
+    if (grid_.sheet) {
+      write_sheet_links();
+    } else {
+      write_brackets();
+    }
+  }
+
+  void write_brackets() {
+    place_.resize(3 * grid_.hits.size());
+    for (Index i = 0; i < outline_.size(); ++i) place_[outline_[i]] = i;
+    for (Index i = 0; i < outline_.size(); ++i) {
+      write_bit(place_[grid_.opposite[outline_[i]]] > i);
+    }
+  }
+
+  void write_sheet_links() {
+    decide_(
+        starts_below_, [&](Index i) { return write_bit(grid_.opposite[outline_[i]] != kNone); },
+        [&](Index i, Index j) { return write_bit(grid_.opposite[outline_[i]] == outline_[j]); },
+        [](Index, Index) {});
+  }
+
+  bool write_bit(bool bit) {
+    byte_ |= (bit ? 1u : 0u) << bits_;
+    if (++bits_ == 8) append_bits();
+    return bit;
+  }
+
+  void append_bits() {
+    if (bits_ > 0) append_u8(out_, static_cast<std::uint8_t>(byte_));
+    byte_ = 0;
+    bits_ = 0;
+  }
+
+  void write_rims() {
+    append_varint(out_, grid_.rims.size());
+    Index next = 0;
+    for (const RimHit& rim : grid_.rims) {
+      append_varint(out_, rim.half_edge - next);
+      next = rim.half_edge + 1;
+      write_vector(rim.point);
+      write_vector(rim.normal);
+    }
+  }
+
+  void write_vector(const Vec3& v) {
+    for (int axis = 0; axis < 3; ++axis) append_f64(out_, v[axis]);
   }
 
   const GridData& grid_;
   std::vector<LatticeBox> boxes_;
   std::vector<Index> cell_of_split_;
   std::string out_;
+  // Of the face at hand: its half-edges in order, and which start below it.
+  std::vector<Index> outline_;
+  std::vector<bool> starts_below_;
+  SheetLinkDecisions decide_;
+  std::vector<Index> place_;  // per half-edge: in the outline
+  unsigned byte_ = 0;         // bits that do not fill a byte yet
+  int bits_ = 0;
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 // What is no saved grid is refused: cut off, damaged, or made up by somebody who knows the format.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <functional>
@@ -15,6 +16,7 @@
 #include "kdmanifold/grid_io.h"
 #include "support/mesh_assert.h"
 #include "support/shapes.h"
+#include "support/sheets.h"
 
 namespace kdm {
 namespace {
@@ -69,37 +71,48 @@ Bytes small_file() {
                               {.strategy = SplitStrategy::kUniform, .depth = 4}));
 }
 
+// Of a sheet with a rim, and faces that cross others.
+Bytes small_sheet_file() {
+  Mesh torus = shapes::open(shapes::torus(1, 0.4, 12, 8), 60);
+  const Mesh wall = shapes::translated(shapes::grid_sheet(1, 1, [](double, double) { return 0.1; }),
+                                       Vec3(0.3, -0.4, 0));
+  return save_grid(
+      build_grid(shapes::merged({torus, wall}),
+                 {.strategy = SplitStrategy::kUniform, .depth = 5, .inside = InsideRule::kSheet}));
+}
+
 TEST(GridDamage, ACutIsNoticedAtEveryLength) {
-  const Bytes bytes = small_file();
-  ASSERT_EQ(verdict(bytes), "");
-  for (std::size_t size = 0; size < bytes.size(); ++size) {
-    Bytes cut(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size));
-    ASSERT_NE(verdict(cut), "") << size;
-    if (size < grid_format::kHeaderBytes) continue;
-    repair(cut);
-    ASSERT_NE(verdict(cut), "") << size;
+  for (const Bytes& bytes : {small_file(), small_sheet_file()}) {
+    ASSERT_EQ(verdict(bytes), "");
+    for (std::size_t size = 0; size < bytes.size(); ++size) {
+      Bytes cut(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size));
+      ASSERT_NE(verdict(cut), "") << size;
+      if (size < grid_format::kHeaderBytes) continue;
+      repair(cut);
+      ASSERT_NE(verdict(cut), "") << size;
+    }
+    Bytes longer = bytes;
+    longer.push_back(0);
+    expect_refused(longer, "cut off or something was added");
+    repair(longer);
+    expect_refused(longer, "but not the file");
   }
-  Bytes longer = bytes;
-  longer.push_back(0);
-  expect_refused(longer, "cut off or something was added");
-  repair(longer);
-  expect_refused(longer, "but not the file");
 }
 
 TEST(GridDamage, DamageIsNoticedInEveryByte) {
-  const Bytes bytes = small_file();
-  for (std::size_t at = 0; at < bytes.size(); ++at) {
-    for (const int mask : {1, 0x80, 0xff}) {
-      Bytes damaged = bytes;
-      damaged[at] = static_cast<std::uint8_t>(damaged[at] ^ mask);
-      ASSERT_NE(verdict(damaged), "") << at;
+  for (const Bytes& bytes : {small_file(), small_sheet_file()}) {
+    for (std::size_t at = 0; at < bytes.size(); ++at) {
+      for (const int mask : {1, 0x80, 0xff}) {
+        Bytes damaged = bytes;
+        damaged[at] = static_cast<std::uint8_t>(damaged[at] ^ mask);
+        ASSERT_NE(verdict(damaged), "") << at;
+      }
     }
   }
 }
 
 // Then some changes make another grid that is sound as well, and a surface comes out of it.
-TEST(GridDamage, ForgedBytesGiveASoundGridOrAnError) {
-  const Bytes bytes = small_file();
+void forge_all(const Bytes& bytes, bool sheet) {
   int accepted = 0;
   int refused = 0;
   for (std::size_t at = grid_format::kHeaderBytes; at < bytes.size(); ++at) {
@@ -114,12 +127,18 @@ TEST(GridDamage, ForgedBytesGiveASoundGridOrAnError) {
       ++accepted;
       const Grid grid = load_grid(forged);
       ASSERT_NO_THROW(validate(grid.data())) << at;
-      ASSERT_TRUE(check::is_two_manifold(extract(grid))) << "byte " << at << ", bit " << bit;
+      const ExtractedMesh out = extract(grid, {.normals = true});
+      if (sheet && out.triangles.empty()) continue;
+      ASSERT_TRUE(sheet ? check::is_manifold(out) : check::is_two_manifold(out))
+          << "byte " << at << ", bit " << bit;
     }
   }
   EXPECT_GT(accepted, 0);
   EXPECT_GT(refused, accepted / 4);
 }
+
+TEST(GridDamage, ForgedBytesGiveASoundGridOrAnError) { forge_all(small_file(), false); }
+TEST(GridDamage, ForgedBytesGiveASoundSheetOrAnError) { forge_all(small_sheet_file(), true); }
 
 TEST(GridDamage, HeadersAreChecked) {
   const Bytes sound = small_file();
@@ -133,7 +152,7 @@ TEST(GridDamage, HeadersAreChecked) {
   };
   expect_after([](Bytes& b) { b[0] = 0x09; }, "no saved grid");
   expect_after([](Bytes& b) { b[7] = '\r'; }, "no saved grid");
-  expect_after([](Bytes& b) { put(b, kVersionAt, 2, 4); }, "version is 2; this library knows 1");
+  expect_after([](Bytes& b) { put(b, kVersionAt, 1, 4); }, "version is 1; this library knows 2");
   expect_after([](Bytes& b) { put(b, kVersionAt, 0xffffffff, 4); }, "version is 4294967295");
   expect_after([](Bytes& b) { put(b, kSizeAt, ~std::uint64_t{0}, 8); }, "bytes should follow");
   expect_after([](Bytes& b) { b[kChecksumAt] ^= 1; }, "damaged");
@@ -176,7 +195,7 @@ TEST(GridDamage, HostileNumbersAreRefused) {
     for (; numbers < 9; ++at) numbers += sound[at] < 0x80 ? 1 : 0;
     return at - kReportsAt;
   }();
-  expect_after([&](Bytes& b) { b[flags_at] = 8; }, "no such flags");
+  expect_after([&](Bytes& b) { b[flags_at] = 16; }, "no such flags");
   const Bytes most{0xff, 0xff, 0xff, 0xff, 3};  // 2^30 - 1
   expect_after([&](Bytes& b) { insert(b, flags_at + 1, most); }, "x split of 2 bytes");
   expect_after(
@@ -189,6 +208,41 @@ TEST(GridDamage, HostileNumbersAreRefused) {
         insert(b, flags_at + 1, {0xff, 0xff, 0xff, 0xff, 4});
       },
       "the number of splits should be");
+}
+
+TEST(GridDamage, HostileRimsAreRefused) {
+  const Bytes sound = small_sheet_file();
+  GridData grid = load_grid(sound).data();
+  ASSERT_GT(grid.rims.size(), 2u);
+  const auto expect_after = [&](const std::function<void(std::vector<RimHit>&)>& change,
+                                const char* reason) {
+    GridData changed = grid;
+    change(changed.rims);
+    expect_refused(save_grid(Grid(std::make_unique<GridData>(changed))), reason);
+  };
+  const Index linked = static_cast<Index>(
+      std::find_if(grid.opposite.begin(), grid.opposite.end(), [](Index h) { return h != kNone; }) -
+      grid.opposite.begin());
+  ASSERT_LT(linked, grid.rims.back().half_edge);
+  expect_after(
+      [&](auto& rims) {
+        rims = {{linked, rims[0].point, rims[0].normal}};
+      },
+      "a rim is of a half-edge on the boundary");
+  expect_after(
+      [&](auto& rims) { rims.back().half_edge = static_cast<Index>(grid.opposite.size()); },
+      "a rim's half-edge is none");
+  expect_after([](auto& rims) { rims[1].point[2] = -1; }, "a rim's point");
+  expect_after([](auto& rims) { rims[1].point[0] = std::nan(""); }, "a rim's point");
+  expect_after([](auto& rims) { rims[1].normal *= 0.5; }, "a rim's normal");
+  expect_after([](auto& rims) { rims[1].normal[1] = std::nan(""); }, "a rim's normal");
+  EXPECT_EQ(verdict(save_grid([&] {
+              GridData changed = grid;
+              changed.rims[1].normal.setZero();
+              return Grid(std::make_unique<GridData>(changed));
+            }())),
+            "")
+      << "one may have no direction";
 }
 
 // Saves grids that no build makes, and says what loading makes of them.

@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 
@@ -12,6 +11,7 @@
 #include "kdmanifold/build.h"
 #include "kdmanifold/error.h"
 #include "kdmanifold/extract.h"
+#include "support/grid_compare.h"
 #include "support/random_meshes.h"
 #include "support/shapes.h"
 
@@ -20,59 +20,6 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 namespace fs = std::filesystem;
-
-void expect_same(const Grid& a, const Grid& b) {
-  const GridData& x = a.data();
-  const GridData& y = b.data();
-  EXPECT_EQ(x.lattice.origin, y.lattice.origin);
-  EXPECT_EQ(x.lattice.step, y.lattice.step);
-  EXPECT_EQ(x.tolerance, y.tolerance);
-  ASSERT_EQ(x.cells.size(), y.cells.size());
-  EXPECT_EQ(std::memcmp(x.cells.data(), y.cells.data(), x.cells.size() * sizeof(Cell)), 0);
-  EXPECT_EQ(x.edge_begin, y.edge_begin);
-  EXPECT_EQ(x.opposite, y.opposite);
-  EXPECT_EQ(x.start, y.start);
-  ASSERT_EQ(x.hits.size(), y.hits.size());
-  for (std::size_t h = 0; h < x.hits.size(); ++h) {
-    EXPECT_EQ(x.hits[h].position, y.hits[h].position);
-    EXPECT_EQ(x.hits[h].packed, y.hits[h].packed);
-  }
-  ASSERT_EQ(x.planes.size(), y.planes.size());
-  for (std::size_t p = 0; p < x.planes.size(); ++p) {
-    EXPECT_EQ(x.planes[p].normal, y.planes[p].normal);
-    EXPECT_EQ(x.planes[p].offset, y.planes[p].offset);
-  }
-  EXPECT_EQ(x.source_faces, y.source_faces);
-  EXPECT_EQ(x.stats.cells, y.stats.cells);
-  EXPECT_EQ(x.stats.leaves, y.stats.leaves);
-  EXPECT_EQ(x.stats.hits, y.stats.hits);
-  EXPECT_EQ(x.stats.depth, y.stats.depth);
-  EXPECT_EQ(x.stats.topology_resolved, y.stats.topology_resolved);
-  EXPECT_EQ(x.stats.unresolved_leaves, y.stats.unresolved_leaves);
-  EXPECT_EQ(x.stats.ambiguous_faces, y.stats.ambiguous_faces);
-  EXPECT_EQ(x.stats.guessed_faces, y.stats.guessed_faces);
-  EXPECT_EQ(x.input.vertices, y.input.vertices);
-  EXPECT_EQ(x.input.triangles, y.input.triangles);
-  EXPECT_EQ(x.input.closed, y.input.closed);
-  EXPECT_EQ(x.input.boundary_edges, y.input.boundary_edges);
-  EXPECT_EQ(x.input.non_manifold_edges, y.input.non_manifold_edges);
-  EXPECT_EQ(x.input.degenerate_faces, y.input.degenerate_faces);
-  EXPECT_EQ(x.input.cancelled_faces, y.input.cancelled_faces);
-  EXPECT_EQ(x.input.components, y.input.components);
-  EXPECT_EQ(x.input.flipped, y.input.flipped);
-  EXPECT_EQ(x.input.lattice_step, y.input.lattice_step);
-}
-
-void expect_same_surface(const Grid& a, const Grid& b) {
-  for (const bool quads : {false, true}) {
-    const ExtractedMesh x = extract(a, {.quads = quads});
-    const ExtractedMesh y = extract(b, {.quads = quads});
-    EXPECT_EQ(x.positions, y.positions);
-    EXPECT_EQ(x.triangles, y.triangles);
-    EXPECT_EQ(x.quads, y.quads);
-    EXPECT_EQ(x.source_faces, y.source_faces);
-  }
-}
 
 std::vector<Mesh> models() {
   return {shapes::cube(),
@@ -99,8 +46,8 @@ TEST(GridIo, WhatIsSavedComesBack) {
       EXPECT_EQ(save_grid(grid), bytes) << "the same grid gives the same bytes";
       EXPECT_LT(bytes.size(), grid.stats().bytes);
       const Grid loaded = load_grid(bytes);
-      expect_same(grid, loaded);
-      expect_same_surface(grid, loaded);
+      check::expect_same(grid, loaded);
+      check::expect_same_surface(grid, loaded);
       EXPECT_EQ(save_grid(loaded), bytes);
       EXPECT_EQ(loaded.stats().bytes, grid.stats().bytes);
     }
@@ -140,12 +87,25 @@ TEST(GridIo, SplitsMayBeNumberedInAnyOrder) {
 TEST(GridIo, ReportsKeepTheirNumbers) {
   GridData grid =
       build_grid(shapes::cube(), {.strategy = SplitStrategy::kUniform, .depth = 3}).data();
-  grid.input = {kNone, 2, true, 4, 0, 5, 6, 7, 8, true, grid.lattice.step};
+  grid.input = {.vertices = kNone,
+                .triangles = 2,
+                .closed = true,
+                .boundary_edges = 4,
+                .non_manifold_edges = 5,
+                .degenerate_faces = 6,
+                .cancelled_faces = 7,
+                .components = 8,
+                .flipped = true,
+                .lattice_step = grid.lattice.step};
   grid.stats.topology_resolved = true;
   grid.stats.unresolved_leaves = 9;
   grid.stats.guessed_faces = 300;
-  const Grid changed(std::make_unique<GridData>(grid));
-  expect_same(changed, load_grid(save_grid(changed)));
+  for (const bool sheet : {false, true}) {
+    grid.sheet = sheet;
+    grid.input.boundary_loops = sheet ? 77 : 0;
+    const Grid changed(std::make_unique<GridData>(grid));
+    check::expect_same(changed, load_grid(save_grid(changed)));
+  }
 }
 
 class GridFiles : public ::testing::Test {
@@ -164,7 +124,7 @@ TEST_F(GridFiles, WrittenAndReadAgain) {
   const Grid grid = build_grid(shapes::torus(), {.relative_tolerance = 0.01});
   write_grid(path("a.kdgrid"), grid);
   write_grid(path("B.KDGRID"), read_grid(path("a.kdgrid")));
-  expect_same_surface(grid, read_grid(path("B.KDGRID")));
+  check::expect_same_surface(grid, read_grid(path("B.KDGRID")));
   EXPECT_EQ(fs::file_size(path("a.kdgrid")), save_grid(grid).size());
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 2);
 }

@@ -6,7 +6,9 @@
 #include <cstdlib>
 #include <string>
 #include <string_view>
+#include <utility>
 
+#include "grid/grid_data.h"
 #include "grid/grid_format.h"
 #include "grid/validate.h"
 #include "kdmanifold/kdmanifold.h"
@@ -30,6 +32,27 @@ void demand_sound(const Mesh& mesh) {
   for (const Triangle& t : mesh.triangles) {
     for (const Index v : t) demand(v < mesh.positions.size(), "corners name vertices");
   }
+}
+
+void demand_manifold(const Mesh& out, bool sheet) {
+  if (out.triangles.empty() && out.quads.empty()) return;
+  const check::MeshCheck result = check::check_mesh(out);
+  demand(sheet ? result.manifold : result.two_manifold,
+         "the surface is 2-manifold, but: " + result.faults());
+  demand(std::isfinite(result.volume), "the volume is finite");
+}
+
+// Leaves out some faces and turns over others, another choice for each pattern.
+Mesh torn(Mesh mesh, unsigned pattern) {
+  std::vector<Triangle> triangles;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const unsigned choice = ((pattern >> (i % 7)) ^ static_cast<unsigned>(i / 7)) & 7u;
+    Triangle t = mesh.triangles[i];
+    if (choice == 1) std::swap(t[0], t[1]);
+    if (choice < 6) triangles.push_back(t);
+  }
+  mesh.triangles = triangles;
+  return mesh;
 }
 
 }  // namespace
@@ -69,28 +92,28 @@ void build_from_bytes(const std::uint8_t* bytes, std::size_t size) {
   if (size < 4 || size > kMaxSize) return;
   BuildOptions options;
   options.strategy = static_cast<SplitStrategy>(bytes[0] % 5);
-  options.inside = static_cast<InsideRule>(bytes[0] / 5 % 3);
-  options.pairing = static_cast<Pairing>(bytes[0] / 15 % 4);
+  options.inside = static_cast<InsideRule>(bytes[0] / 5 % 4);
+  options.pairing = static_cast<Pairing>(bytes[0] / 20 % 4);
   options.depth = 1 + bytes[1] % (options.strategy == SplitStrategy::kMedian ? 60 : 12);
   options.relative_tolerance = bytes[3] / 1024.0;
   const ExtractOptions extraction{.quads = (bytes[2] & 1) != 0,
                                   .split_error = bytes[2] / 2 / 1024.0};
-  const Mesh input = shapes::mesh_from_bytes(bytes + 4, size - 4);
+  const bool sheet = options.inside == InsideRule::kSheet;
+  Mesh input = shapes::mesh_from_bytes(bytes + 4, size - 4);
+  if (sheet) input = torn(std::move(input), bytes[3]);
   Grid grid;
   try {
     grid = build_grid(input, options);
   } catch (const Error& error) {
     // Tetrahedra may cancel or shrink to nothing; open they never are.
-    demand(error.code() == ErrorCode::kInvalidMesh && check::check_mesh(input).volume == 0,
-           error.what());
+    const bool nothing = sheet ? input.triangles.empty() : check::check_mesh(input).volume == 0;
+    demand(error.code() == ErrorCode::kInvalidMesh && nothing, error.what());
     return;
   }
   validate(grid.data());
   const ExtractedMesh out = extract(grid, extraction);
-  if (out.triangles.empty() && out.quads.empty()) return;
-  const check::MeshCheck result = check::check_mesh(out);
-  demand(result.two_manifold, "the surface is 2-manifold, but: " + result.faults());
-  demand(std::isfinite(result.volume), "the volume is finite");
+  demand_manifold(out, sheet);
+  demand(save_grid(load_grid(save_grid(grid))) == save_grid(grid), "grids come back");
   const ExtractedMesh again = extract(build_grid(input, options), extraction);
   demand(again.positions == out.positions && again.triangles == out.triangles &&
              again.quads == out.quads,
@@ -116,10 +139,7 @@ void load_bytes(const std::uint8_t* bytes, std::size_t size) {
   validate(grid.data());
   const std::vector<std::uint8_t> saved = save_grid(grid);
   demand(save_grid(load_grid(saved)) == saved, "what was loaded can be saved and loaded again");
-  const ExtractedMesh out = extract(grid);
-  if (out.triangles.empty()) return;
-  const check::MeshCheck result = check::check_mesh(out);
-  demand(result.two_manifold, "the surface is 2-manifold, but: " + result.faults());
+  demand_manifold(extract(grid, {.normals = true}), grid.data().sheet);
 }
 
 }  // namespace kdm::fuzz

@@ -57,7 +57,7 @@ export class Grid {
 
   /**
    * The grid as bytes, for `KdManifold.loadGrid`: build once, extract many times. The same grid gives
-   * the same bytes everywhere; they take a third of the memory that the grid holds, or less.
+   * the same bytes everywhere; they take less than half of the memory that the grid holds.
    */
   save(): Uint8Array<ArrayBuffer> {
     const raw = this.#demand();

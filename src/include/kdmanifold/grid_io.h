@@ -12,14 +12,15 @@
 
 namespace kdm {
 
-/// The grid with its hits, planes, links and reports, in a format of this library's own (described
-/// in src/grid/grid_format.h): 17 to 27 bytes a hit, a third of the grid's memory or less. The same
-/// grid gives the same bytes on every platform. Linear in the grid. Throws `kOutOfMemory`.
+/// The grid with its hits, planes, links, rims and reports, in a format of this library's own
+/// (described in src/grid/grid_format.h): 17 to 27 bytes a hit, up to 35 of sheets with much rim;
+/// less than half of the grid's memory. The same grid gives the same bytes on every platform.
+/// Linear in the grid. Throws `kOutOfMemory`.
 std::vector<std::uint8_t> save_grid(const Grid& grid);
 
 /// The grid back: what is extracted from it is the same to the last bit, and saving it again gives
-/// the same bytes. Linear in the bytes, in time and in memory. Everything is checked: bytes that are
-/// cut off, damaged or made up give `kParseError`, with the byte or the broken rule, as does a
+/// the same bytes. Linear in the bytes, in time and in memory. Everything is checked: bytes that
+/// are cut off, damaged or made up give `kParseError`, with the byte or the broken rule, as does a
 /// version this library does not know; `name` is what messages call the source. Throws
 /// `kOutOfMemory`.
 Grid load_grid(std::span<const std::uint8_t> bytes, std::string_view name = "grid");
