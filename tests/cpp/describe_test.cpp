@@ -193,8 +193,11 @@ TEST(Describe, Hole) {
   EXPECT_EQ(describe(mesh).euler_characteristic, 1);
   expect_agreement(mesh, "hole");
   // Two faces that touch in the middle of an open fan: the vertex has two fans.
-  const Mesh bow = {
-      {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, -1, 0}}, {{0, 1, 2}, {0, 3, 4}}, {}, {}, {}};
+  const Mesh bow = {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, -1, 0}},
+                    {{0, 1, 2}, {0, 3, 4}},
+                    {},
+                    {},
+                    {}};
   EXPECT_EQ(describe(bow).non_manifold_vertices, 1u);
   expect_agreement(bow, "bow tie");
 }

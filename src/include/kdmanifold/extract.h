@@ -65,7 +65,7 @@ struct ExtractReport {
   /// or parts nearer to each other than 32 bits tell apart, are in each other's way. Else nobody
   /// has looked.
   std::optional<std::uint64_t> crossings;
-  Index boundary_loops = 0;     ///< closed walks along the boundary; only sheets have one
+  Index boundary_loops = 0;  ///< closed walks along the boundary; only sheets have one
 };
 
 /// A mesh with the account of how it was made.
