@@ -81,6 +81,7 @@ export const extractOptions: Table<ExtractOptions> = {
     values: ['off', 'manifold', 'embedded'],
     default: 'manifold',
     help: 'what the index mesh must be; embedded: nothing crosses',
+  },
   normals: { kind: 'flag', default: false, help: 'write normals at the corners of faces (OBJ)' },
   creaseAngle: {
     kind: 'number',
