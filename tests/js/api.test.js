@@ -174,6 +174,23 @@ test('without strict nothing is dropped or inserted', () => {
   expect(mesh.report).toMatchObject({ droppedPillows: 0, insertedVertices: 0 });
 });
 
+test('embedded results do not meet themselves, in the numbers handed out', () => {
+  const build = { strategy: 'median', depth: 12 };
+  const plain = convert(torus(), build);
+  expect(kdm.findSelfIntersections(plain).pairs).toBeGreaterThan(0);
+  expect(plain.report).toMatchObject({ crossings: null, refinedHits: 0 });
+  const mesh = convert(torus(), build, { strict: 'embedded' });
+  expect(mesh.report.crossings).toBe(0);
+  expect(kdm.findSelfIntersections(mesh).pairs).toBe(0);
+  expect(faults(mesh)).toEqual([]);
+});
+
+test('edges between leaves keep to the tolerance unless told otherwise', () => {
+  const count = (linkError) => convert(torus(), {}, { linkError }).report.linkVertices;
+  expect(count(1e9)).toBe(0);
+  expect(count(1e-5)).toBeGreaterThan(count(0));
+});
+
 test("source faces are the caller's numbers where given", () => {
   const mesh = cube();
   const sourceFaces = Uint32Array.from({ length: 12 }, (_, i) => 1000 + i);

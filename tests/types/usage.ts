@@ -38,7 +38,7 @@ const words: [boolean, number, number] = [
 const kdm = await load({ wasmUrl: 'https://example.org/kdmanifold.wasm' });
 const options: BuildOptions = { strategy: 'median', depth: 12, pairing: 'trace' };
 const grid: Grid = kdm.buildGrid(indexed, options);
-const mesh: Mesh = grid.extract({ strict: false });
+const mesh: Mesh = grid.extract({ strict: 'embedded', linkError: 0.01 });
 const triangles: Uint32Array = mesh.indices;
 const saved: Uint8Array = grid.save();
 grid[Symbol.dispose]();
