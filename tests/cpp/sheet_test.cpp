@@ -13,6 +13,7 @@
 #include "support/mesh_assert.h"
 #include "support/random.h"
 #include "support/random_meshes.h"
+#include "support/sanitized.h"
 #include "support/sheets.h"
 
 namespace kdm {
@@ -71,6 +72,7 @@ TEST_P(OpenShapes, KeepTheirTopologyAndTheirRims) {
     EXPECT_EQ(result.boundary_loops, shape.loops) << shape.name;
     EXPECT_EQ(result.euler_characteristic, shape.euler) << shape.name;
     EXPECT_EQ(out.report.boundary_loops, static_cast<Index>(shape.loops)) << shape.name;
+    if (check::kSanitized) continue;  // what follows is all the test's own work
     const double allowed = 1.5 * 0.005 * diagonal(shape.mesh);
     EXPECT_LT(check::distance_to(shape.mesh, out), allowed) << shape.name << ", input to result";
     EXPECT_LT(check::distance_to(out, shape.mesh), allowed) << shape.name << ", result to input";
