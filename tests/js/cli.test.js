@@ -223,7 +223,15 @@ test('--help lists the same options in both, and they are those of the interface
   });
   expect(names[1]).toEqual(names[0]);
   const dashed = (name) => name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
-  const own = ['--check', '--help', '--json', '--no-strict', '--output', '--save-grid', '--version'];
+  const own = [
+    '--check',
+    '--help',
+    '--json',
+    '--no-strict',
+    '--output',
+    '--save-grid',
+    '--version',
+  ];
   const fromTable = Object.entries({ ...buildOptions, ...extractOptions }).map(([name, spec]) =>
     spec.kind === 'flag' && spec.default ? `--no-${dashed(name)}` : `--${dashed(name)}`,
   );
