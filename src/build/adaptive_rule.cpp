@@ -183,7 +183,7 @@ class AdaptiveRule : public SplitRule {
     double least = std::numeric_limits<double>::infinity();
     for (const PlannedHit& hit : hits_) {
       if (!together(hit.piece, piece)) continue;
-      least = std::min(least, std::abs(hit.plane->normal.dot(p) - hit.plane->offset));
+      least = std::min(least, hit.plane->distance(p));
     }
     return least;
   }
@@ -241,11 +241,9 @@ class AdaptiveRule : public SplitRule {
       double largest = 0;
       for (const PlannedHit& hit : hits_) {
         if (!together(hit.piece, piece)) continue;
-        largest = std::max(largest, std::abs(hit.plane->normal.dot(x) - hit.plane->offset));
+        largest = std::max(largest, hit.plane->distance(x));
       }
-      for (const Plane& plane : rim_) {
-        largest = std::max(largest, std::abs(plane.normal.dot(x) - plane.offset));
-      }
+      for (const Plane& plane : rim_) largest = std::max(largest, plane.distance(x));
       return largest;
     };
     const Vec3 vertex = minimiser_within(quadric, real(box.lo), real(box.hi), tolerance_, residual);
@@ -253,11 +251,10 @@ class AdaptiveRule : public SplitRule {
     const std::span<const Index> members = analysis_.members();
     for (std::size_t m = 0; m < members.size(); ++m) {
       if (!shows_in(m, piece)) continue;
-      const Plane& plane = surface_.planes[members[m]];
-      if (std::abs(plane.normal.dot(vertex) - plane.offset) > tolerance_) return false;
+      if (surface_.planes[members[m]].distance(vertex) > tolerance_) return false;
     }
     for (const Plane& plane : rim_) {
-      if (std::abs(plane.normal.dot(vertex) - plane.offset) > tolerance_) return false;
+      if (plane.distance(vertex) > tolerance_) return false;
     }
     return near_piece(vertex, piece);
   }

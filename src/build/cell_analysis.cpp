@@ -25,7 +25,7 @@ bool reaches_plane(const ClippedPolygon& polygon, const Plane& plane) {
   bool above = false;
   bool below = false;
   for (int i = 0; i < polygon.size; ++i) {
-    const double distance = plane.normal.dot(polygon.corners[i]) - plane.offset;
+    const double distance = plane.signed_distance(polygon.corners[i]);
     // The planes are those before rounding to the lattice.
     above = above || distance > -1;
     below = below || distance < 1;

@@ -67,8 +67,8 @@ Vec3 crease_point(const GridData& grid, const std::vector<Vec3>& points, const L
                   Index hit, Index other) {
   const Vec3 middle = 0.5 * (points[hit] + points[other]);
   PrimalQuadric quadric(middle);
-  quadric.add(grid.planes[grid.hits[hit].plane()]);
-  quadric.add(grid.planes[grid.hits[other].plane()]);
+  quadric.add(grid.plane_of(hit));
+  quadric.add(grid.plane_of(other));
   Vec3 crease = quadric.minimiser_in(face.lo, face.hi);
   // Beyond both the hits and the face the planes say nothing: the surface bends both ways.
   const Vec3 chord = points[other] - points[hit];

@@ -39,7 +39,7 @@ class CornerNormals {
 
  private:
   const Vec3& face_normal(Index half_edge) const {
-    return grid_.planes[grid_.hits[mesh_.hit[half_edge / 3]].plane()].normal;
+    return grid_.plane_of(mesh_.hit[half_edge / 3]).normal;
   }
 
   // The half-edges that start in one vertex; each runs along the link to the next one's triangle.

@@ -37,8 +37,7 @@ namespace {
 double residual(const GridData& grid, std::span<const Index> hits, const Vec3& vertex) {
   double largest = 0;
   for (const Index h : hits) {
-    const Plane& plane = grid.planes[grid.hits[h].plane()];
-    largest = std::max(largest, std::abs(plane.normal.dot(vertex) - plane.offset));
+    largest = std::max(largest, grid.plane_of(h).distance(vertex));
   }
   return largest;
 }
@@ -50,7 +49,7 @@ Vec3 vertex_position(const GridData& grid, const std::vector<Vec3>& points,
   Vec3 sum = Vec3::Zero();
   for (const Index h : hits) sum += points[h];
   PrimalQuadric quadric(sum / static_cast<double>(hits.size()));
-  for (const Index h : hits) quadric.add(grid.planes[grid.hits[h].plane()]);
+  for (const Index h : hits) quadric.add(grid.plane_of(h));
   const Vec3 lo = real(box.lo);
   const Vec3 hi = real(box.hi);
   if (position == VertexPosition::kProjection) return quadric.minimiser_projected(lo, hi);
@@ -67,10 +66,7 @@ double error_limit(const SplitError& error, const std::vector<Vec3>& points,
 
 bool meets_planes(const GridData& grid, std::span<const Index> hits, const Vec3& vertex,
                   double distance) {
-  return std::all_of(hits.begin(), hits.end(), [&](Index h) {
-    const Plane& plane = grid.planes[grid.hits[h].plane()];
-    return std::abs(plane.normal.dot(vertex) - plane.offset) <= distance;
-  });
+  return residual(grid, hits, vertex) <= distance;
 }
 
 namespace {
@@ -100,7 +96,7 @@ Vec3 boundary_position(const GridData& grid, const std::vector<Vec3>& points,
   }
   if (count == 0) return vertex_position(grid, points, hits, box, position);
   PrimalQuadric quadric(sum / count);
-  for (const Index h : hits) quadric.add(grid.planes[grid.hits[h].plane()]);
+  for (const Index h : hits) quadric.add(grid.plane_of(h));
   for (const RimHit* rim : rims) {
     if (rim != nullptr) quadric.add({rim->normal, rim->normal.dot(rim->point)});
   }

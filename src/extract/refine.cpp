@@ -90,15 +90,11 @@ class Refinement {
   // Is the surface flat between the hits, and the edge near it? Cheap, and true of most.
   bool fits_chord(const LinkFace& face, Index hit, Index other, const Vec3& crossing) const {
     const double half = distance_ / 2;
-    return off_plane(points_[hit], other) <= half && off_plane(points_[other], hit) <= half &&
-           off_plane(crossing, hit) <= half &&
+    return grid_.plane_of(other).distance(points_[hit]) <= half &&
+           grid_.plane_of(hit).distance(points_[other]) <= half &&
+           grid_.plane_of(hit).distance(crossing) <= half &&
            (crossing.array() >= face.lo.array() - distance_).all() &&
            (crossing.array() <= face.hi.array() + distance_).all();
-  }
-
-  double off_plane(const Vec3& p, Index hit) const {
-    const Plane& plane = grid_.planes[grid_.hits[hit].plane()];
-    return std::abs(plane.normal.dot(p) - plane.offset);
   }
 
   // Is the crossing too far from the line hit - corner - other?
@@ -125,7 +121,7 @@ Index refine(const GridData& grid, const std::vector<LatticeBox>& boxes,
              DualMesh& mesh) {
   Refinement refinement(grid, boxes, points, details, distance, mesh);
   refinement.find();
-  refinement.divide(mesh);
+  if (refinement.vertices() > 0) refinement.divide(mesh);
   return refinement.vertices();
 }
 

@@ -181,7 +181,7 @@ class Splitting {
   bool folded(Index hit, Index u, const Vec3& from, const Vec3& to) const {
     const Vec3& apex = mesh_.position[u];
     const Vec3 normal = (from - apex).cross(to - apex);
-    const Vec3& wanted = grid_.planes[grid_.hits[hit].plane()].normal;
+    const Vec3& wanted = grid_.plane_of(hit).normal;
     return !(normal.dot(wanted) > kLeastCosine * normal.norm());
   }
 

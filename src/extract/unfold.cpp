@@ -21,6 +21,7 @@ class Unfolding {
  public:
   Unfolding(const GridData& grid, const Details& details, DualMesh& mesh)
       : grid_(grid), mesh_(mesh), flips_(mesh.triangles(), 0) {
+    if (details.hits.empty()) return;
     for (Index t = 0; t < mesh.triangles(); ++t) {
       if (details.of_hit(mesh.hit[t]) != Detail::kPlain) flips_[t] = kMaxFlips;
     }
@@ -55,7 +56,7 @@ class Unfolding {
     const double longest =
         std::max({first.squaredNorm(), second.squaredNorm(), (second - first).squaredNorm()});
     if (!(length > kFlat * longest)) return -1;
-    return normal.dot(grid_.planes[grid_.hits[hit].plane()].normal) / length;
+    return normal.dot(grid_.plane_of(hit).normal) / length;
   }
 
   struct Flip {
@@ -114,8 +115,7 @@ class Unfolding {
   }
 
   double off_plane(Index v, Index hit) const {
-    const Plane& plane = grid_.planes[grid_.hits[hit].plane()];
-    return std::abs(plane.normal.dot(mesh_.position[v]) - plane.offset);
+    return grid_.plane_of(hit).distance(mesh_.position[v]);
   }
 
   // A vertex loses an edge by a flip and must keep three, or two on the boundary.

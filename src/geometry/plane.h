@@ -2,6 +2,8 @@
 // An oriented plane.
 #pragma once
 
+#include <cmath>
+
 #include "kdmanifold/types.h"
 
 namespace kdm {
@@ -10,6 +12,10 @@ namespace kdm {
 struct Plane {
   Vec3 normal = Vec3::Zero();
   double offset = 0;
+
+  /// Positive on the side that the normal points to.
+  double signed_distance(const Vec3& p) const { return normal.dot(p) - offset; }
+  double distance(const Vec3& p) const { return std::abs(signed_distance(p)); }
 };
 
 }  // namespace kdm

@@ -111,6 +111,7 @@ struct GridData {
   static constexpr std::uint32_t kStrip = 1u << 31;
   Index start_leaf(Index half_edge) const { return start[half_edge] & ~kStrip; }
   bool crosses_strip(Index half_edge) const { return (start[half_edge] & kStrip) != 0; }
+  const Plane& plane_of(Index hit) const { return planes[hits[hit].plane()]; }
   Index splits() const { return static_cast<Index>(cells.size() / 2); }
   std::size_t bytes() const;
 };
