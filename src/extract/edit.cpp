@@ -46,6 +46,22 @@ Index divide_edge(Index ab, const Vec3& position, DualMesh& mesh) {
   return m;
 }
 
+Index divide_boundary(Index ab, const Vec3& position, DualMesh& mesh) {
+  const Index bc = next_in_triangle(ab);
+  const Index b = mesh.vertex[bc];
+  const Index c = mesh.vertex[previous_in_triangle(ab)];
+  const Index m = add_vertex(position, mesh);
+  const Index mbc = mesh.add_triangle(mesh.hit[ab / 3], m, b, c);
+  mesh.link(mbc + 1, mesh.opposite[bc]);
+  mesh.link(mbc + 2, bc);  // bc becomes m -> c
+  mesh.vertex[bc] = m;
+  mesh.first.push_back(bc);
+  mesh.first[b] = mbc + 1;
+  mesh.set_first(c, mbc + 2);
+  mesh.strip[ab / 3] = 0;
+  return m;
+}
+
 Index divide_triangle(Index triangle, const Vec3& position, DualMesh& mesh) {
   const Index ab = 3 * triangle;
   const Index a = mesh.vertex[ab];

@@ -16,6 +16,9 @@ namespace kdm {
 ///        d                 d
 Index divide_edge(Index ab, const Vec3& position, DualMesh& mesh);
 
+/// The same for an edge on the boundary, with triangle (a, b, c) alone.
+Index divide_boundary(Index ab, const Vec3& position, DualMesh& mesh);
+
 /// Divides triangle (a, b, c) into (a, b, m), which keeps its number, (b, c, m) and (c, a, m).
 /// Returns m.
 Index divide_triangle(Index triangle, const Vec3& position, DualMesh& mesh);

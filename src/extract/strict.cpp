@@ -74,7 +74,8 @@ class Separation {
 
   void insert_vertex(Index ab) {
     if (mesh_.opposite[ab] == kNone) {
-      insert_on_boundary(ab);
+      const Index b = mesh_.vertex[next_in_triangle(ab)];
+      divide_boundary(ab, 0.5 * (mesh_.position[mesh_.vertex[ab]] + mesh_.position[b]), mesh_);
       return;
     }
     const Index ba = mesh_.opposite[ab];
@@ -83,25 +84,6 @@ class Separation {
     const Vec3 position = between(ab / 3, ba / 3, mesh_.vertex[ab], mesh_.vertex[ba]);
     const Index m = divide_edge(ab, position, mesh_);
     if (c == d) doubles_.emplace_back(m, c);
-  }
-
-  // The same with triangle (a, b, c) alone.
-  void insert_on_boundary(Index ab) {
-    const Index bc = next_in_triangle(ab);
-    const Index a = mesh_.vertex[ab];
-    const Index b = mesh_.vertex[bc];
-    const Index c = mesh_.vertex[previous_in_triangle(ab)];
-    const auto m = static_cast<Index>(mesh_.first.size());
-    mesh_.position.push_back(0.5 * (mesh_.position[a] + mesh_.position[b]));
-    mesh_.leaf.push_back(kNone);
-    const Index mbc = mesh_.add_triangle(mesh_.hit[ab / 3], m, b, c);
-    mesh_.link(mbc + 1, mesh_.opposite[bc]);
-    mesh_.link(mbc + 2, bc);  // bc becomes m -> c
-    mesh_.vertex[bc] = m;
-    mesh_.first.push_back(bc);
-    mesh_.first[b] = mbc + 1;
-    mesh_.set_first(c, mbc + 2);
-    mesh_.strip[ab / 3] = 0;
   }
 
   // The middle of the two hits: it lies in the minimal face between the two leaves, or near it.
