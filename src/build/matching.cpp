@@ -8,6 +8,32 @@
 #include "geometry/assert.h"
 
 namespace kdm {
+namespace {
+
+// From the partner of point i in the n points from i on, choice[i * (count + 1) + n], kNone if it
+// is left alone there, to each point's partner.
+std::vector<Index> partners_of(const std::vector<Index>& choice, Index count) {
+  const std::size_t row = count + 1;
+  std::vector<Index> partner(count, kNone);
+  std::vector<std::pair<Index, Index>> open{{0, count}};  // first point and number of points
+  while (!open.empty()) {
+    const auto [i, length] = open.back();
+    open.pop_back();
+    if (length == 0) continue;
+    const Index j = choice[i * row + length];
+    if (j == kNone) {
+      open.emplace_back(i + 1, length - 1);
+      continue;
+    }
+    partner[i] = j;
+    partner[j] = i;
+    open.emplace_back(i + 1, j - i - 1);
+    open.emplace_back(j + 1, i + length - j - 1);
+  }
+  return partner;
+}
+
+}  // namespace
 
 std::vector<Index> match_without_crossings(Index count,
                                            const std::function<double(Index, Index)>& cost) {
@@ -31,19 +57,7 @@ std::vector<Index> match_without_crossings(Index count,
       best[i * row + length] = least;
     }
   }
-  std::vector<Index> partner(count, kNone);
-  std::vector<std::pair<Index, Index>> open{{0, count}};  // first point and number of points
-  while (!open.empty()) {
-    const auto [i, length] = open.back();
-    open.pop_back();
-    if (length == 0) continue;
-    const Index j = choice[i * row + length];
-    partner[i] = j;
-    partner[j] = i;
-    open.emplace_back(i + 1, j - i - 1);
-    open.emplace_back(j + 1, length - (j - i + 1));
-  }
-  return partner;
+  return partners_of(choice, count);
 }
 
 std::vector<Index> match_brackets(const std::vector<bool>& opens) {
@@ -130,23 +144,7 @@ std::vector<Index> match_some(Index count, const std::function<bool(Index, Index
       best[i * row + length] = least;
     }
   }
-  std::vector<Index> partner(count, kNone);
-  std::vector<std::pair<Index, Index>> open{{0, count}};  // first point and number of points
-  while (!open.empty()) {
-    const auto [i, length] = open.back();
-    open.pop_back();
-    if (length == 0) continue;
-    const Index j = choice[i * row + length];
-    if (j == kNone) {
-      open.emplace_back(i + 1, length - 1);
-      continue;
-    }
-    partner[i] = j;
-    partner[j] = i;
-    open.emplace_back(i + 1, j - i - 1);
-    open.emplace_back(j + 1, i + length - j - 1);
-  }
-  return partner;
+  return partners_of(choice, count);
 }
 
 }  // namespace kdm
