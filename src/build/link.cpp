@@ -8,15 +8,12 @@
 #include "build/link.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <vector>
 
 #include "build/link_sheet.h"
 #include "build/matching.h"
 #include "build/outline.h"
-#include "build/trace.h"
-#include "geometry/assert.h"
 #include "kdmanifold/error.h"
 
 namespace kdm {
@@ -32,7 +29,7 @@ class Linking {
 
   void operator()(const MinimalFace& face) {
     if (face.strip()) {
-      link_strip(face);
+      link_strip(face, grid_);
       return;
     }
     collect_outline(grid_, face, outline_);
@@ -44,50 +41,32 @@ class Linking {
       throw Error(ErrorCode::kInternal, "hits round a minimal face have no partners");
     }
     if (count == 2) {
-      link(face, outline_[0], outline_[1], 0);
+      link(face, outline_[0], outline_[1], grid_);
       return;
     }
     ++grid_.stats.ambiguous_faces;
     const std::vector<Index> partner = pair(face, count);
     for (Index i = 0; i < count; ++i) {
-      if (partner[i] > i) link(face, outline_[i], outline_[partner[i]], 0);
+      if (partner[i] > i) link(face, outline_[i], outline_[partner[i]], grid_);
     }
   }
 
  private:
-  // The two long sides coincide: their hits are the same crossings and pair one to one.
-  void link_strip(const MinimalFace& face) {
-    const int first = face.lo(0) == face.hi(0) ? 1 : 0;
-    const FaceEdge& a = face.edges[first];
-    const FaceEdge& b = face.edges[first + 2];
-    KDM_ASSERT(a.size() == b.size(), "the long sides of a strip carry the same hits");
-    for (Index i = 0; i < a.size(); ++i) {
-      link(face, outline_hit(grid_, a, a.begin + i, first),
-           outline_hit(grid_, b, b.begin + i, first + 2), GridData::kStrip);
-    }
-  }
-
-  void link(const MinimalFace& face, const OutlineHit& a, const OutlineHit& b,
-            std::uint32_t strip) {
-    KDM_ASSERT(a.starts_below != b.starts_below, "linked half-edges run against each other");
-    grid_.opposite[a.half_edge] = b.half_edge;
-    grid_.opposite[b.half_edge] = a.half_edge;
-    grid_.start[a.half_edge] = (a.starts_below ? face.below : face.above) | strip;
-    grid_.start[b.half_edge] = (b.starts_below ? face.below : face.above) | strip;
-  }
-
   std::vector<Index> pair(const MinimalFace& face, Index count) {
     if (pairing_ == Pairing::kInside || pairing_ == Pairing::kOutside || count > kMatchingLimit) {
       grid_.stats.guessed_faces += pairing_ == Pairing::kTrace ? 1 : 0;
       return pair_neighbours(pairing_ != Pairing::kOutside);
     }
     std::vector<Index> traced(count, kNone);
-    if (pairing_ == Pairing::kTrace) trace(face, traced);
+    if (pairing_ == Pairing::kTrace) {
+      trace_outline(surface_, grid_, face, outline_, traces_);
+      for (Index i = 0; i < count; ++i) traced[i] = traces_[i].end;
+    }
     find_tangents(grid_, face, outline_, tangents_);
     // Traced pairs cost nothing; to part one costs more than any deviation.
     constexpr double kParting = 1e30;
     const std::vector<Index> partner = match_without_crossings(count, [&](Index i, Index j) {
-      if (!fit(i, j)) return std::numeric_limits<double>::infinity();
+      if (!compatible(outline_[i], outline_[j])) return std::numeric_limits<double>::infinity();
       if (traced[i] == j) return 0.0;
       if (traced[i] != kNone || traced[j] != kNone) return kParting;
       return deviation(tangents_[i], tangents_[j]);
@@ -107,33 +86,11 @@ class Linking {
     return match_brackets(opens);
   }
 
-  // Do the half-edges run against each other? On a solid's outline every other one does.
-  bool fit(Index i, Index j) const { return outline_[i].starts_below != outline_[j].starts_below; }
-
-  // Keeps what both ends agree upon.
-  void trace(const MinimalFace& face, std::vector<Index>& traced) {
-    ends_.clear();
-    for (const OutlineHit& h : outline_) {
-      ends_.push_back({grid_.hits[h.hit].plane(), h.side});
-    }
-    const std::array<std::int32_t, 2> lo{face.lo(0), face.lo(1)};
-    const std::array<std::int32_t, 2> hi{face.hi(0), face.hi(1)};
-    for (Index i = 0; i < traced.size(); ++i) {
-      traced[i] = trace_to_end(surface_, face.axis, face.plane, lo, hi, ends_, i);
-    }
-    const std::vector<Index> found = traced;
-    for (Index i = 0; i < traced.size(); ++i) {
-      const Index j = found[i];
-      const bool mutual = j != kNone && found[j] == i && fit(i, j);
-      if (!mutual) traced[i] = kNone;
-    }
-  }
-
   const Surface& surface_;
   Pairing pairing_;
   GridData& grid_;
   std::vector<OutlineHit> outline_;
-  std::vector<TraceEnd> ends_;
+  std::vector<Traced> traces_;
   std::vector<Tangent> tangents_;
 };
 

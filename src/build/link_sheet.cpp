@@ -15,8 +15,6 @@
 #include "build/matching.h"
 #include "build/outline.h"
 #include "build/rim.h"
-#include "build/trace.h"
-#include "geometry/assert.h"
 
 namespace kdm {
 namespace {
@@ -31,7 +29,7 @@ class SheetLinking {
 
   void operator()(const MinimalFace& face) {
     if (face.strip()) {
-      link_strip(face);
+      link_strip(face, grid_);
       return;
     }
     collect_outline(grid_, face, outline_);
@@ -54,45 +52,14 @@ class SheetLinking {
   }
 
  private:
-  // The two long sides coincide: their hits are the same crossings and pair one to one.
-  void link_strip(const MinimalFace& face) {
-    const int first = face.lo(0) == face.hi(0) ? 1 : 0;
-    const FaceEdge& a = face.edges[first];
-    const FaceEdge& b = face.edges[first + 2];
-    KDM_ASSERT(a.size() == b.size(), "the long sides of a strip carry the same hits");
-    for (Index i = 0; i < a.size(); ++i) {
-      const OutlineHit one = outline_hit(grid_, a, a.begin + i, first);
-      const OutlineHit other = outline_hit(grid_, b, b.begin + i, first + 2);
-      KDM_ASSERT(compatible(one, other), "linked half-edges run against each other");
-      for (const OutlineHit& h : {one, other}) {
-        grid_.start[h.half_edge] = (h.starts_below ? face.below : face.above) | GridData::kStrip;
-      }
-      grid_.opposite[one.half_edge] = other.half_edge;
-      grid_.opposite[other.half_edge] = one.half_edge;
-    }
-  }
-
-  static bool compatible(const OutlineHit& a, const OutlineHit& b) {
-    return a.starts_below != b.starts_below;
-  }
-
-  // Keeps what both ends agree upon, and where the surface ends within the face.
+  // Keeps what is traced, and where the surface ends within the face.
   void trace_all(const MinimalFace& face) {
-    ends_.clear();
-    for (const OutlineHit& h : outline_) ends_.push_back({grid_.hits[h.hit].plane(), h.side});
-    const std::array<std::int32_t, 2> lo{face.lo(0), face.lo(1)};
-    const std::array<std::int32_t, 2> hi{face.hi(0), face.hi(1)};
-    const auto count = static_cast<Index>(outline_.size());
-    found_.assign(count, kNone);
-    for (Index i = 0; i < count; ++i) {
-      const Traced traced = trace(surface_, face.axis, face.plane, lo, hi, ends_, i);
-      found_[i] = traced.end;
-      if (traced.rim != kNone) rims_[i] = rim_hit(face, outline_[i].half_edge, traced.rim);
-    }
-    for (Index i = 0; i < count; ++i) {
-      const Index j = found_[i];
-      if (j == kNone || found_[j] != i || !compatible(outline_[i], outline_[j])) continue;
-      partner_[i] = j;
+    trace_outline(surface_, grid_, face, outline_, traces_);
+    for (Index i = 0; i < traces_.size(); ++i) {
+      partner_[i] = traces_[i].end;
+      if (traces_[i].rim != kNone) {
+        rims_[i] = rim_hit(face, outline_[i].half_edge, traces_[i].rim);
+      }
     }
   }
 
@@ -132,8 +99,7 @@ class SheetLinking {
   Pairing pairing_;
   GridData& grid_;
   std::vector<OutlineHit> outline_;
-  std::vector<TraceEnd> ends_;
-  std::vector<Index> found_;
+  std::vector<Traced> traces_;
   std::vector<Index> partner_;
   std::vector<RimHit> rims_;  // per hit of the outline; its half-edge is kNone if there is none
   std::vector<Index> open_;   // those of the outline without partner

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The hits round a minimal face, in cyclic order, and how well two of them fit each other.
+// The hits round a minimal face, in cyclic order: which belong together by the surface's trace, how
+// well two of them fit each other, and their links.
 #pragma once
 
 #include <vector>
 
+#include "build/trace.h"
 #include "grid/faces.h"
 
 namespace kdm {
@@ -22,18 +24,30 @@ inline OutlineHit outline_hit(const GridData& grid, const FaceEdge& edge, Index 
           side == 0 || side == 1};
 }
 
-/// Counter-clockwise: sides 0 and 1 upwards, sides 2 and 3 downwards.
+/// Counter-clockwise.
 inline void collect_outline(const GridData& grid, const MinimalFace& face,
                             std::vector<OutlineHit>& outline) {
   outline.clear();
-  for (int side = 0; side < 4; ++side) {
-    const FaceEdge& edge = face.edges[side];
-    for (Index i = 0; i < edge.size(); ++i) {
-      const Index hit = side < 2 ? edge.begin + i : edge.end - 1 - i;
-      outline.push_back(outline_hit(grid, edge, hit, side));
-    }
-  }
+  for_each_hit(face, [&](const FaceEdge& edge, Index hit, int side) {
+    outline.push_back(outline_hit(grid, edge, hit, side));
+  });
 }
+
+/// Do the half-edges run against each other, so that they may be linked?
+inline bool compatible(const OutlineHit& a, const OutlineHit& b) {
+  return a.starts_below != b.starts_below;
+}
+
+/// Links two half-edges across the face and notes where they start.
+void link(const MinimalFace& face, const OutlineHit& a, const OutlineHit& b, GridData& grid);
+
+/// The two long sides of a strip coincide: their hits are the same crossings and link one to one.
+void link_strip(const MinimalFace& face, GridData& grid);
+
+/// Walks along the surface's section with the face from each of its hits; `end` is kept where both
+/// ends agree upon it and are compatible.
+void trace_outline(const Surface& surface, const GridData& grid, const MinimalFace& face,
+                   const std::vector<OutlineHit>& outline, std::vector<Traced>& traced);
 
 /// The surface's tangent line at a hit, on the face.
 struct Tangent {

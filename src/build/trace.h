@@ -29,12 +29,4 @@ Traced trace(const Surface& surface, int axis, std::int32_t value,
              const std::array<std::int32_t, 2>& lo, const std::array<std::int32_t, 2>& hi,
              std::span<const TraceEnd> ends, Index start);
 
-/// The end's number, or kNone.
-inline Index trace_to_end(const Surface& surface, int axis, std::int32_t value,
-                          const std::array<std::int32_t, 2>& lo,
-                          const std::array<std::int32_t, 2>& hi, std::span<const TraceEnd> ends,
-                          Index start) {
-  return trace(surface, axis, value, lo, hi, ends, start).end;
-}
-
 }  // namespace kdm

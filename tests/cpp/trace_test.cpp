@@ -67,7 +67,7 @@ class Section {
   std::vector<Index> trace() const {
     std::vector<Index> result;
     for (Index i = 0; i < ends_.size(); ++i) {
-      result.push_back(trace_to_end(surface_, 2, kValue, {kLow, kLow}, {kHigh, kHigh}, ends_, i));
+      result.push_back(kdm::trace(surface_, 2, kValue, {kLow, kLow}, {kHigh, kHigh}, ends_, i).end);
     }
     return result;
   }
