@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// Sums of solid angles without trigonometry, so that every platform finds the same bits.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "kdmanifold/types.h"
+
+namespace kdm {
+
+/// The arc tangent by square roots and a series, within 1e-14.
+inline double arc_tangent(double x) {
+  // Two halvings of the angle bring |x| below tan(pi / 8) / 2.
+  for (int i = 0; i < 2; ++i) x /= 1.0 + std::sqrt(1.0 + x * x);
+  const double square = x * x;
+  double sum = 0;
+  for (int k = 19; k >= 1; k -= 2) sum = 1.0 / k - square * sum;
+  return 4.0 * x * sum;
+}
+
+/// Adds up angles given as directions in the plane, by multiplying these as complex numbers: one
+/// arc tangent at the end, however many there are.
+class AngleSum {
+ public:
+  /// The angle of (re, im), in (-pi, pi]; (0, 0) counts as none. Neither is beyond 1e100, nor both
+  /// below 1e-100.
+  void add(double re, double im) {
+    if (re == 0 && im == 0) return;
+    const double product_re = re_ * re - im_ * im;
+    const double product_im = re_ * im + im_ * re;
+    // Of two angles in one half-plane the sum may lie in the other; two of pi are a turn.
+    const bool whole = product_im == 0 && product_re > 0 && re < 0;
+    if (im_ >= 0 && im >= 0 && (product_im < 0 || whole)) ++turns_;
+    if (im_ < 0 && im < 0 && product_im >= 0) --turns_;
+    re_ = product_re;
+    im_ = product_im;
+    const double size = std::max(std::abs(re_), std::abs(im_));
+    if (size > 1e100 || size < 1e-100) {
+      re_ /= size;
+      im_ /= size;
+    }
+  }
+
+  /// The sum in full turns.
+  double turns() const {
+    constexpr double kTurn = 6.283185307179586;
+    double angle = 0;
+    if (std::abs(re_) >= std::abs(im_)) {
+      angle = arc_tangent(im_ / re_);
+      if (re_ < 0) angle += im_ < 0 ? -kTurn / 2 : kTurn / 2;
+    } else {
+      angle = (im_ < 0 ? -kTurn / 4 : kTurn / 4) - arc_tangent(re_ / im_);
+    }
+    return turns_ + angle / kTurn;
+  }
+
+ private:
+  double re_ = 1;
+  double im_ = 0;
+  double turns_ = 0;
+};
+
+/// Half the solid angle that a triangle fills seen from the origin, as a direction in the plane
+/// (van Oosterom and Strackee 1983): positive where its back is seen.
+struct HalfSolidAngle {
+  double re;
+  double im;
+
+  HalfSolidAngle(const Vec3& a, const Vec3& b, const Vec3& c) {
+    const double la = a.norm();
+    const double lb = b.norm();
+    const double lc = c.norm();
+    im = a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+         a[2] * (b[0] * c[1] - b[1] * c[0]);
+    re = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
+  }
+};
+
+}  // namespace kdm
