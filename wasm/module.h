@@ -18,8 +18,9 @@ inline constexpr std::array<Named<SplitStrategy>, 5> kStrategies = {
      {"feature", SplitStrategy::kFeature},
      {"median", SplitStrategy::kMedian},
      {"uniform", SplitStrategy::kUniform}}};
-inline constexpr std::array<Named<InsideRule>, 4> kInsideRules = {
-    {{"positive", InsideRule::kPositive},
+inline constexpr std::array<Named<InsideRule>, 5> kInsideRules = {
+    {{"repair", InsideRule::kRepair},
+     {"positive", InsideRule::kPositive},
      {"odd", InsideRule::kOdd},
      {"nonzero", InsideRule::kNonzero},
      {"sheet", InsideRule::kSheet}}};

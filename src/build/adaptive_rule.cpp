@@ -11,6 +11,8 @@
 // Where no leaf fails, the input comes out homeomorphic.
 // Sheets. A vertex on the rim must meet the planes through it as well; pieces may be half-disks.
 // Where sheets cross, each keeps its own vertices.
+// Holes. Where a surface that is to be closed ends, its vertices belong on the rim as a sheet's do;
+// what closes it takes part in neither geometry nor topology.
 // Overlap. Where shells cross, their pieces bound the solid together: one vertex must fit them all,
 // as it does on the crease of their union. Topology is neither pursued nor claimed there.
 #include <algorithm>
@@ -68,7 +70,7 @@ class AdaptiveRule : public SplitRule {
     if (analysis_.members().empty()) return std::nullopt;
     assign_pieces();
     // Crossings drop out where shells cross and where one lies within another.
-    overlap_ = dropped_ && analysis_.triangles_cross();
+    overlap_ = (dropped_ && analysis_.triangles_cross()) || several_rims();
     if (!small && !pieces_fit(cell.box)) return halve(cell);
     if (const std::optional<LatticeBox> target = unresolved_part(cell.box)) {
       return pursue(cell, *target);
@@ -165,6 +167,15 @@ class AdaptiveRule : public SplitRule {
     }
   }
 
+  // Do two pieces that will be closed end here? What closes one may lead to the other.
+  bool several_rims() const {
+    if (!surface_.repair) return false;
+    const std::span<const Index> rims = analysis_.rims();
+    return std::any_of(rims.begin(), rims.end(), [&](Index side) {
+      return analysis_.piece_of_triangle(side / 3) != analysis_.piece_of_triangle(rims[0] / 3);
+    });
+  }
+
   // Corners of the triangles against all hits' planes: yes means yes, no means look closer.
   bool quick_misfit(const CellView& cell) const {
     // Crossings but no hits: all that is in the cell may lie inside other shells.
@@ -228,7 +239,7 @@ class AdaptiveRule : public SplitRule {
       sum += hit.point;
       ++count;
     }
-    if (surface_.sheet) find_rim(box, piece);
+    if (surface_.has_rims()) find_rim(box, piece);
     PrimalQuadric quadric(rim_.empty() ? Vec3(sum / count) : rim_centre_);
     for (const PlannedHit& hit : hits_) {
       if (together(hit.piece, piece)) quadric.add(*hit.plane);
@@ -264,7 +275,7 @@ class AdaptiveRule : public SplitRule {
     rim_.clear();
     rim_centre_ = Vec3::Zero();
     for (const Index side : analysis_.rims()) {
-      if (analysis_.piece_of_triangle(side / 3) != piece) continue;
+      if (!together(analysis_.piece_of_triangle(side / 3), piece)) continue;
       rim_.push_back(rim_plane(surface_, side, surface_.planes[side / 3].normal));
       rim_centre_ += rim_middle(surface_, side, box);
     }
@@ -312,10 +323,11 @@ class AdaptiveRule : public SplitRule {
   // Splits in the middle of what is not resolved, down to the floor.
   std::optional<Split> pursue(const CellView& cell, const LatticeBox& target) {
     const int longest = longest_axis(cell.box);
-    if (cell.box.hi[longest] - cell.box.lo[longest] < floor_) return give_up();
+    const double floor = surface_.repair && !analysis_.rims().empty() ? tolerance_ : floor_;
+    if (cell.box.hi[longest] - cell.box.lo[longest] < floor) return give_up();
     const int axis = longest_axis(target);
     // A spike of a sheet has two rims at any size: it would be followed to its tip.
-    if (surface_.sheet && target.hi[axis] - target.lo[axis] < floor_) return give_up();
+    if (surface_.has_rims() && target.hi[axis] - target.lo[axis] < floor_) return give_up();
     return split_at(cell, axis, target.lo[axis] + (target.hi[axis] - target.lo[axis]) / 2);
   }
 

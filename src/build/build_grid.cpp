@@ -57,7 +57,7 @@ void report(const Progress& progress, double fraction, std::string_view phase) {
 Grid build_grid(const Mesh& mesh, const BuildOptions& options, const Progress& progress) try {
   check_options(options);
   report(progress, 0.0, "prepare");
-  Surface surface = prepare_surface(mesh, options.inside == InsideRule::kSheet);
+  Surface surface = prepare_surface(mesh, options.inside);
   auto grid = std::make_unique<GridData>();
   grid->sheet = surface.sheet;
   grid->lattice = surface.lattice;
@@ -72,6 +72,11 @@ Grid build_grid(const Mesh& mesh, const BuildOptions& options, const Progress& p
   construct_cells(surface, options, tolerance, depth_limit(options), progress ? within : Progress(),
                   *grid);
   report(progress, 0.8, "link");
+  if (surface.repair && grid->hits.empty()) {
+    throw Error(ErrorCode::kNotClosed,
+                "the surface encloses nothing: it is not closed, and no point lies behind it on "
+                "most sides");
+  }
   grid->planes = std::move(surface.planes);
   grid->source_faces = std::move(surface.source_faces);
   link_half_edges(surface, options.pairing, *grid);
@@ -79,7 +84,8 @@ Grid build_grid(const Mesh& mesh, const BuildOptions& options, const Progress& p
   grid->stats.cells = static_cast<Index>(grid->cells.size());
   grid->stats.leaves = static_cast<Index>(grid->cells.size() - grid->cells.size() / 2);
   grid->stats.hits = static_cast<Index>(grid->hits.size());
-  grid->stats.topology_resolved = grid->stats.topology_resolved && grid->stats.guessed_faces == 0;
+  grid->stats.topology_resolved =
+      grid->stats.topology_resolved && grid->stats.guessed_faces == 0 && !surface.repair;
   grid->stats.bytes = grid->bytes();
   report(progress, 1.0, "link");
   return Grid(std::move(grid));

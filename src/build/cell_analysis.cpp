@@ -37,7 +37,7 @@ bool reaches_plane(const ClippedPolygon& polygon, const Plane& plane) {
 
 CellAnalysis::CellAnalysis(const Surface& surface)
     : surface_(surface), local_(surface.triangles.size(), kNone) {
-  if (!surface.sheet) return;
+  if (!surface.has_rims()) return;
   Index points = 0;
   for (const Triangle& t : surface.corners) points = std::max({points, t[0], t[1], t[2]});
   on_rim_.assign(std::size_t{points} + 1, 0);
@@ -104,7 +104,7 @@ void CellAnalysis::find_pieces(const LatticeBox& box, std::span<const ListEntry>
   for (const Index triangle : members_) {
     for (int i = 0; i < 3; ++i) {
       if (vertex_in_box(surface_.triangles[triangle][i], box)) {
-        if (surface_.sheet && on_rim_[surface_.corners[triangle][i]] != 0) continue;
+        if (surface_.has_rims() && on_rim_[surface_.corners[triangle][i]] != 0) continue;
         vertices_.push_back(surface_.corners[triangle][i]);
       }
     }

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 
+#include "build/repair.h"
 #include "build/split_rules.h"
 #include "build/triangle_lists.h"
 #include "build/winding.h"
@@ -17,6 +18,7 @@
 namespace kdm {
 namespace {
 
+constexpr double kWindingThreshold = 0.5;
 constexpr std::uint32_t kProgressInterval = 4096;  // cells between two calls
 
 /// What a cell hands down. Corners are numbered by bits: 1 for x, 2 for y, 4 for z at the high end.
@@ -34,14 +36,16 @@ struct CellFrame {
 
 class Construction {
  public:
-  Construction(const Surface& surface, const BuildOptions& options, double tolerance, int depth,
+  Construction(Surface& surface, const BuildOptions& options, double tolerance, int depth,
                const Progress& progress, GridData& grid)
       : surface_(surface),
         inside_(options.inside),
         progress_(progress),
         grid_(grid),
         rule_(make_split_rule(surface, options, tolerance, depth)),
-        lists_(surface.triangles) {}
+        lists_(surface.triangles) {
+    if (surface.repair) repair_.emplace(surface, kWindingThreshold, tolerance);
+  }
 
   void run() {
     grid_.cells.assign(1, Cell());
@@ -56,7 +60,11 @@ class Construction {
     root.rule = rule_->root();
     split_cell(root);
     rule_->report(grid_.stats);
-    drop_internal_crossings();
+    if (repair_) {
+      repair_->resolve(grid_);
+    } else {
+      drop_internal_crossings();
+    }
     grid_.cells.shrink_to_fit();
     grid_.edge_begin.shrink_to_fit();
     grid_.hits.shrink_to_fit();
@@ -108,7 +116,7 @@ class Construction {
   // The four edges across the plane are cut; their crossings there give the winding numbers at
   // the corners of the splitting face.
   void divide_edges(const CellFrame& frame, const Split& split, CellFrame& below,
-                    CellFrame& above) const {
+                    CellFrame& above) {
     const int w = split.axis;
     for (int e = 0; e < 4; ++e) {
       const bool high_next = (e & 1) != 0;
@@ -121,7 +129,14 @@ class Construction {
       const int low_corner =
           (high_next ? 1 << next_axis(w) : 0) | (high_previous ? 1 << previous_axis(w) : 0);
       const int high_corner = low_corner | 1 << w;
-      const int winding = cut == whole.begin ? frame.winding[low_corner] : winding_after_[cut - 1];
+      int winding = cut == whole.begin ? frame.winding[low_corner] : winding_after_[cut - 1];
+      if (repair_) {
+        LatticePoint corner;
+        corner[w] = split.value;
+        corner[next_axis(w)] = (high_next ? frame.box.hi : frame.box.lo)[next_axis(w)];
+        corner[previous_axis(w)] = (high_previous ? frame.box.hi : frame.box.lo)[previous_axis(w)];
+        winding = repair_->inside(corner) ? 1 : 0;
+      }
       below.winding[high_corner] = winding;
       above.winding[low_corner] = winding;
     }
@@ -147,11 +162,16 @@ class Construction {
     for (int i = 0; i < 4; ++i) {
       EdgeRange range;
       range.begin = static_cast<Index>(grid_.hits.size());
-      const int winding = walk_edge(crossings_[i], above.winding[low_corner[i]], inside_, walked_);
-      KDM_ASSERT(
-          surface_.sheet || winding == above.winding[low_corner[i] | 1 << axis_of_edge(w, i)],
-          "winding numbers agree along all edges of a splitting face");
-      static_cast<void>(winding);
+      const int from = above.winding[low_corner[i]];
+      const int to = above.winding[low_corner[i] | 1 << axis_of_edge(w, i)];
+      if (repair_) {
+        plan_edge(box, split, i, from != 0, to != 0);
+      } else {
+        const int winding = walk_edge(crossings_[i], from, inside_, walked_);
+        KDM_ASSERT(surface_.sheet || winding == to,
+                   "winding numbers agree along all edges of a splitting face");
+        static_cast<void>(winding);
+      }
       for (const WalkedCrossing& c : walked_) {
         grid_.hits.push_back(Hit(c.crossing.position, c.crossing.triangle, c.leaving,
                                  reversed_on_edge(i, c.leaving)));
@@ -174,6 +194,16 @@ class Construction {
         above.edges[cell_edge(v, false, high)] = range;
       }
     }
+  }
+
+  void plan_edge(const LatticeBox& box, const Split& split, int i, bool inside_low,
+                 bool inside_high) {
+    const int axis = axis_of_edge(split.axis, i);
+    LatticePoint low = box.lo;
+    low[split.axis] = split.value;
+    if (i == 1) low[next_axis(split.axis)] = box.hi[next_axis(split.axis)];
+    if (i == 2) low[previous_axis(split.axis)] = box.hi[previous_axis(split.axis)];
+    repair_->plan_edge({axis, low, box.hi[axis], inside_low, inside_high}, crossings_[i], walked_);
   }
 
   // Adds the crossing of a triangle with splitting edge i if there is one within the cell.
@@ -209,10 +239,11 @@ class Construction {
     }
   }
 
-  const Surface& surface_;
+  Surface& surface_;
   InsideRule inside_;
   const Progress& progress_;
   GridData& grid_;
+  std::optional<Repair> repair_;
   std::unique_ptr<SplitRule> rule_;
   TriangleLists lists_;
   std::vector<int> winding_after_;  // per crossing; hits_ holds all crossings until the end
@@ -225,8 +256,8 @@ class Construction {
 
 }  // namespace
 
-void construct_cells(const Surface& surface, const BuildOptions& options, double tolerance,
-                     int depth, const Progress& progress, GridData& grid) {
+void construct_cells(Surface& surface, const BuildOptions& options, double tolerance, int depth,
+                     const Progress& progress, GridData& grid) {
   Construction(surface, options, tolerance, depth, progress, grid).run();
 }
 

@@ -10,7 +10,7 @@ namespace kdm {
 
 /// Fills cells, splitting edges and hits of `grid`; links are another step. `tolerance` in lattice
 /// units and `depth` are what the options come to for this surface.
-void construct_cells(const Surface& surface, const BuildOptions& options, double tolerance,
-                     int depth, const Progress& progress, GridData& grid);
+void construct_cells(Surface& surface, const BuildOptions& options, double tolerance, int depth,
+                     const Progress& progress, GridData& grid);
 
 }  // namespace kdm

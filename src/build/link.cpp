@@ -14,6 +14,7 @@
 #include "build/link_sheet.h"
 #include "build/matching.h"
 #include "build/outline.h"
+#include "build/rim.h"
 #include "kdmanifold/error.h"
 
 namespace kdm {
@@ -42,6 +43,7 @@ class Linking {
     }
     if (count == 2) {
       link(face, outline_[0], outline_[1], grid_);
+      if (surface_.repair) keep_rims(face, {1, 0});
       return;
     }
     ++grid_.stats.ambiguous_faces;
@@ -49,6 +51,7 @@ class Linking {
     for (Index i = 0; i < count; ++i) {
       if (partner[i] > i) link(face, outline_[i], outline_[partner[i]], grid_);
     }
+    if (surface_.repair) keep_rims(face, partner);
   }
 
  private:
@@ -73,6 +76,21 @@ class Linking {
     });
     if (pairing_ == Pairing::kTrace && partner != traced) ++grid_.stats.guessed_faces;
     return partner;
+  }
+
+  // Where the surface ends within the face, unless it goes on with the partner's.
+  void keep_rims(const MinimalFace& face, const std::vector<Index>& partner) {
+    if (pairing_ != Pairing::kTrace) return;
+    trace_outline(surface_, grid_, face, outline_, traces_);
+    for (Index i = 0; i < partner.size(); ++i) {
+      if (traces_[i].rim == kNone) continue;
+      const RimHit rim = rim_hit(surface_, grid_, face, outline_[i].half_edge, traces_[i].rim);
+      const Index other = traces_[partner[i]].rim;
+      if (other != kNone && is_seam(rim.point, rim_point(surface_, other, face.axis, face.plane))) {
+        continue;
+      }
+      grid_.rims.push_back(rim);
+    }
   }
 
   // Paper 2.1: links consecutive hits, those at the ends of inside (or outside) stretches.
@@ -105,6 +123,7 @@ void link_half_edges(const Surface& surface, Pairing pairing, GridData& grid) {
   }
   Linking linking(surface, pairing, grid);
   for_each_face(grid, cell_boxes(grid), linking);
+  sort_rims(grid);
 }
 
 }  // namespace kdm

@@ -10,17 +10,12 @@
 // as many as possible. So are rims that lie within rounding of each other: cracks of the input.
 #include "build/link_sheet.h"
 
-#include <algorithm>
-
 #include "build/matching.h"
 #include "build/outline.h"
 #include "build/rim.h"
 
 namespace kdm {
 namespace {
-
-// Rims this near to each other were one before rounding; lattice units.
-constexpr double kSeam = 2;
 
 class SheetLinking {
  public:
@@ -58,14 +53,9 @@ class SheetLinking {
     for (Index i = 0; i < traces_.size(); ++i) {
       partner_[i] = traces_[i].end;
       if (traces_[i].rim != kNone) {
-        rims_[i] = rim_hit(face, outline_[i].half_edge, traces_[i].rim);
+        rims_[i] = rim_hit(surface_, grid_, face, outline_[i].half_edge, traces_[i].rim);
       }
     }
-  }
-
-  RimHit rim_hit(const MinimalFace& face, Index half_edge, Index side) const {
-    const Vec3 point = rim_point(surface_, side, face.axis, face.plane);
-    return {half_edge, point, rim_plane(surface_, side, grid_.planes[side / 3].normal).normal};
   }
 
   void match_rest(const MinimalFace& face) {
@@ -92,7 +82,7 @@ class SheetLinking {
     if (!compatible(outline_[i], outline_[j])) return false;
     const bool ends = rims_[i].half_edge != kNone;
     if (ends != (rims_[j].half_edge != kNone)) return false;
-    return !ends || (rims_[i].point - rims_[j].point).norm() <= kSeam;
+    return !ends || is_seam(rims_[i].point, rims_[j].point);
   }
 
   const Surface& surface_;
@@ -111,9 +101,7 @@ class SheetLinking {
 void link_sheet(const Surface& surface, Pairing pairing, GridData& grid) {
   SheetLinking linking(surface, pairing, grid);
   for_each_face(grid, cell_boxes(grid), linking);
-  std::sort(grid.rims.begin(), grid.rims.end(),
-            [](const RimHit& a, const RimHit& b) { return a.half_edge < b.half_edge; });
-  grid.rims.shrink_to_fit();
+  sort_rims(grid);
 }
 
 }  // namespace kdm

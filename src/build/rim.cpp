@@ -50,4 +50,16 @@ Vec3 rim_middle(const Surface& surface, Index side, const LatticeBox& box) {
   return segment.from + middle * segment.along;
 }
 
+RimHit rim_hit(const Surface& surface, const GridData& grid, const MinimalFace& face,
+               Index half_edge, Index side) {
+  return {half_edge, rim_point(surface, side, face.axis, face.plane),
+          rim_plane(surface, side, grid.planes[side / 3].normal).normal};
+}
+
+void sort_rims(GridData& grid) {
+  std::sort(grid.rims.begin(), grid.rims.end(),
+            [](const RimHit& a, const RimHit& b) { return a.half_edge < b.half_edge; });
+  grid.rims.shrink_to_fit();
+}
+
 }  // namespace kdm

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "build/surface.h"
+#include "grid/faces.h"
 
 namespace kdm {
 
@@ -15,5 +16,18 @@ Vec3 rim_point(const Surface& surface, Index side, int axis, std::int32_t value)
 
 /// The middle of the side's part in the box, rounded.
 Vec3 rim_middle(const Surface& surface, Index side, const LatticeBox& box);
+
+/// What the grid keeps of a rim side that leaves the face at the link of this half-edge.
+RimHit rim_hit(const Surface& surface, const GridData& grid, const MinimalFace& face,
+               Index half_edge, Index side);
+
+/// Were two rims that leave a face at these points one before rounding?
+inline bool is_seam(const Vec3& a, const Vec3& b) {
+  constexpr double kSeam = 2;  // lattice units
+  return (a - b).norm() <= kSeam;
+}
+
+/// By half-edge, as lookups want them.
+void sort_rims(GridData& grid);
 
 }  // namespace kdm

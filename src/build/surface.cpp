@@ -159,7 +159,7 @@ Plane plane_of(const Vec3& a, const Vec3& b, const Vec3& c, const LatticeTriangl
 
 }  // namespace
 
-Surface prepare_surface(const Mesh& mesh, bool sheet) {
+Surface prepare_surface(const Mesh& mesh, InsideRule inside) {
   check_positions(mesh);
   Faces faces = collect_faces(mesh);
   const Weld weld = weld_positions(mesh.positions);
@@ -191,16 +191,20 @@ Surface prepare_surface(const Mesh& mesh, bool sheet) {
   faces.source.resize(kept);
 
   Surface surface;
-  surface.sheet = sheet;
   surface.topology = build_topology(faces.triangles, static_cast<Index>(points.size()));
-  if (sheet) pair_straightest(faces.triangles, points, surface.topology);
   surface.report.closed = surface.topology.closed();
-  if (!surface.report.closed && !sheet) throw_not_closed(faces, points, surface.topology);
+  surface.sheet = inside == InsideRule::kSheet;
+  surface.repair = inside == InsideRule::kRepair && !surface.report.closed;
+  if (!surface.report.closed && !surface.has_rims()) {
+    throw_not_closed(faces, points, surface.topology);
+  }
+  if (surface.has_rims()) pair_straightest(faces.triangles, points, surface.topology);
   surface.report.boundary_loops = count_boundary_loops(surface.topology.twin);
   surface.report.boundary_edges = surface.topology.boundary_edges;
   surface.report.non_manifold_edges = surface.topology.non_manifold_edges;
   surface.report.components = surface.topology.components;
-  if (!sheet) surface.report.cancelled_faces = cancel_opposite_faces(faces, points.size());
+  if (!surface.has_rims())
+    surface.report.cancelled_faces = cancel_opposite_faces(faces, points.size());
   if (surface.report.cancelled_faces > 0) {
     kept = faces.triangles.size();
     surface.topology = build_topology(faces.triangles, static_cast<Index>(points.size()));
@@ -219,7 +223,7 @@ Surface prepare_surface(const Mesh& mesh, bool sheet) {
   for (const Triangle& t : faces.triangles) {
     surface.triangles.push_back({rounded[t[0]], rounded[t[1]], rounded[t[2]]});
   }
-  surface.report.flipped = !sheet && signed_volume(surface.triangles) < 0;
+  surface.report.flipped = !surface.sheet && signed_volume(surface.triangles) < 0;
   if (surface.report.flipped) turn_around(faces, surface.topology, surface.triangles);
 
   surface.planes.reserve(kept);

@@ -6,7 +6,7 @@
 
 #include "geometry/lattice.h"
 #include "geometry/plane.h"
-#include "kdmanifold/grid.h"
+#include "kdmanifold/build.h"
 #include "kdmanifold/mesh.h"
 #include "mesh/topology.h"
 
@@ -18,17 +18,20 @@ struct Surface {
   double diagonal = 0;  ///< of the bounding box, model units
   std::vector<LatticeTriangle> triangles;
   std::vector<Triangle> corners;    ///< numbers of the corners' points
-  std::vector<Plane> planes;        ///< of the triangles before rounding
+  std::vector<Plane> planes;        ///< of the triangles before rounding; then of invented hits
   std::vector<Index> source_faces;  ///< what the input calls the face
   std::vector<char> degenerate;     ///< no area on the lattice: never hit, but still a neighbour
   Topology topology;
   InputReport report;
-  bool sheet = false;  ///< bounds no solid: sides may lack a twin
+  bool sheet = false;   ///< bounds no solid
+  bool repair = false;  ///< not closed or not turned consistently, but to become a solid
+
+  bool has_rims() const { return sheet || repair; }  ///< sides may lack a twin
 };
 
 /// Checks and converts. Throws `kInvalidMesh` (no triangles, index out of range, coordinate not
-/// finite or beyond 1e150, all points equal) and `kNotClosed`. A `sheet` may be open and is neither
+/// finite or beyond 1e150, all points equal) and `kNotClosed`. A sheet may be open and is neither
 /// turned nor freed of faces that lie back to back.
-Surface prepare_surface(const Mesh& mesh, bool sheet = false);
+Surface prepare_surface(const Mesh& mesh, InsideRule inside = InsideRule::kPositive);
 
 }  // namespace kdm

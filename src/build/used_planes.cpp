@@ -7,10 +7,6 @@
 namespace kdm {
 namespace {
 
-// By the lattice's triangle, as hits are found: the plane before rounding may have another sign
-// where it is nearly parallel to the edge.
-bool points_up(const LatticeTriangle& t, int axis) { return area_vector(t)[axis] > 0; }
-
 class PlaneSelection {
  public:
   explicit PlaneSelection(std::size_t faces) : number_(2 * faces, kNone) {}
@@ -51,7 +47,10 @@ void keep_used_planes(const Surface& surface, GridData& grid) {
     const int axis = axis_of_edge(split_axis[edge / 4], static_cast<int>(edge % 4));
     for (Index h = grid.edge_begin[edge]; h < grid.edge_begin[edge + 1]; ++h) {
       Hit& hit = grid.hits[h];
-      const bool turned = points_up(surface.triangles[hit.plane()], axis) != hit.leaving();
+      // By the lattice's triangle, as hits are found: the plane before rounding may have another
+      // sign where it is nearly parallel to the edge. Planes without triangle are turned rightly.
+      const bool turned = hit.plane() < surface.triangles.size() &&
+                          points_up(surface.triangles[hit.plane()], axis) != hit.leaving();
       hit = Hit(hit.position, selection.number_of(hit.plane(), turned), hit.leaving(),
                 hit.reversed());
     }

@@ -6,14 +6,17 @@
 
 namespace kdm {
 
+void sort_crossings(std::vector<Crossing>& crossings) {
+  if (crossings.size() < 2) return;
+  std::sort(crossings.begin(), crossings.end(), [](const Crossing& a, const Crossing& b) {
+    return a.position != b.position ? a.position < b.position : a.triangle < b.triangle;
+  });
+}
+
 int walk_edge(std::vector<Crossing>& crossings, int winding_below, InsideRule rule,
               std::vector<WalkedCrossing>& walked) {
   walked.clear();
-  if (crossings.size() > 1) {
-    std::sort(crossings.begin(), crossings.end(), [](const Crossing& a, const Crossing& b) {
-      return a.position != b.position ? a.position < b.position : a.triangle < b.triangle;
-    });
-  }
+  sort_crossings(crossings);
   if (rule == InsideRule::kSheet) {
     for (const Crossing& crossing : crossings) {
       walked.push_back({crossing, winding_below, true, crossing.leaving});

@@ -20,6 +20,7 @@ struct Crossing {
 constexpr bool is_inside(InsideRule rule, int winding) {
   switch (rule) {
     case InsideRule::kPositive:
+    case InsideRule::kRepair:
       return winding > 0;
     case InsideRule::kOdd:
       return winding % 2 != 0;
@@ -38,6 +39,9 @@ struct WalkedCrossing {
   bool kept;          ///< the inside rule changes here ...
   bool leaving;       ///< ... from inside to outside
 };
+
+/// Up the edge; at one position by number.
+void sort_crossings(std::vector<Crossing>& crossings);
 
 /// Sorts the crossings of one edge and walks up it from a point of known winding. Crossings at
 /// one position count together, so that no stretch of length zero survives; of these the first

@@ -28,7 +28,8 @@ constexpr Word<SplitStrategy> kStrategies[] = {{"adaptive", SplitStrategy::kAdap
                                                {"feature", SplitStrategy::kFeature},
                                                {"median", SplitStrategy::kMedian},
                                                {"uniform", SplitStrategy::kUniform}};
-constexpr Word<InsideRule> kInsideRules[] = {{"positive", InsideRule::kPositive},
+constexpr Word<InsideRule> kInsideRules[] = {{"repair", InsideRule::kRepair},
+                                             {"positive", InsideRule::kPositive},
                                              {"odd", InsideRule::kOdd},
                                              {"nonzero", InsideRule::kNonzero},
                                              {"sheet", InsideRule::kSheet}};

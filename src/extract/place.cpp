@@ -33,12 +33,21 @@ std::vector<Vec3> hit_points(const GridData& grid, const std::vector<LatticeBox>
 
 namespace {
 
+// Calls `visit` for the planes that a vertex with these hits stands for: not those of invented hits
+// where there are others, for the surface counts for more than what closes it.
+template <typename Visit>
+void for_each_plane(const GridData& grid, std::span<const Index> hits, const Visit& visit) {
+  const bool all = std::all_of(hits.begin(), hits.end(), [&](Index h) { return grid.invented(h); });
+  for (const Index h : hits) {
+    if (all || !grid.invented(h)) visit(grid.plane_of(h));
+  }
+}
+
 // The largest distance to the planes of the hits.
 double residual(const GridData& grid, std::span<const Index> hits, const Vec3& vertex) {
   double largest = 0;
-  for (const Index h : hits) {
-    largest = std::max(largest, grid.plane_of(h).distance(vertex));
-  }
+  for_each_plane(grid, hits,
+                 [&](const Plane& plane) { largest = std::max(largest, plane.distance(vertex)); });
   return largest;
 }
 
@@ -49,7 +58,7 @@ Vec3 vertex_position(const GridData& grid, const std::vector<Vec3>& points,
   Vec3 sum = Vec3::Zero();
   for (const Index h : hits) sum += points[h];
   PrimalQuadric quadric(sum / static_cast<double>(hits.size()));
-  for (const Index h : hits) quadric.add(grid.plane_of(h));
+  for_each_plane(grid, hits, [&](const Plane& plane) { quadric.add(plane); });
   const Vec3 lo = real(box.lo);
   const Vec3 hi = real(box.hi);
   if (position == VertexPosition::kProjection) return quadric.minimiser_projected(lo, hi);
@@ -81,25 +90,33 @@ const RimHit* rim_at(const GridData& grid, Index half_edge) {
   return rim != grid.rims.end() && rim->half_edge == wanted ? &*rim : nullptr;
 }
 
+// The rims that pass through the loop's links, its vertex being in its leaf on the rim's way.
+void find_rims(const GridData& grid, const DualMesh& mesh, Index vertex,
+               std::vector<const RimHit*>& rims) {
+  rims.clear();
+  if (grid.rims.empty()) return;
+  const auto add = [&](Index half_edge) {
+    if (half_edge == kNone) return;
+    if (const RimHit* rim = rim_at(grid, half_edge)) rims.push_back(rim);
+  };
+  add(mesh.boundary_into(vertex));
+  Index half_edge = mesh.first[vertex];
+  do {
+    add(half_edge);
+    add(mesh.opposite[half_edge]);
+    half_edge = mesh.turn(half_edge);
+  } while (half_edge != mesh.first[vertex] && half_edge != kNone);
+}
+
 // As far out as the surface goes: on the rim, between the points where it enters the leaf and
 // leaves it; in its corner if it has one there.
-Vec3 boundary_position(const GridData& grid, const std::vector<Vec3>& points,
-                       std::span<const Index> hits, Index into, Index out_of, const LatticeBox& box,
-                       VertexPosition position) {
-  std::array<const RimHit*, 2> rims{rim_at(grid, into), rim_at(grid, out_of)};
+Vec3 rim_position(const GridData& grid, std::span<const Index> hits,
+                  std::span<const RimHit* const> rims, const LatticeBox& box) {
   Vec3 sum = Vec3::Zero();
-  int count = 0;
-  for (const RimHit* rim : rims) {
-    if (rim == nullptr) continue;
-    sum += rim->point;
-    ++count;
-  }
-  if (count == 0) return vertex_position(grid, points, hits, box, position);
-  PrimalQuadric quadric(sum / count);
-  for (const Index h : hits) quadric.add(grid.plane_of(h));
-  for (const RimHit* rim : rims) {
-    if (rim != nullptr) quadric.add({rim->normal, rim->normal.dot(rim->point)});
-  }
+  for (const RimHit* rim : rims) sum += rim->point;
+  PrimalQuadric quadric(sum / static_cast<double>(rims.size()));
+  for_each_plane(grid, hits, [&](const Plane& plane) { quadric.add(plane); });
+  for (const RimHit* rim : rims) quadric.add({rim->normal, rim->normal.dot(rim->point)});
   return quadric.minimiser_in(real(box.lo), real(box.hi));
 }
 
@@ -112,24 +129,25 @@ std::vector<Index> place_vertices(const GridData& grid, const std::vector<Lattic
   mesh.position.reserve(vertices);
   std::vector<Index> off;
   std::vector<Index> hits;
+  std::vector<const RimHit*> rims;
   for (Index vertex = 0; vertex < vertices; ++vertex) {
     hits.clear();
     const Index first = mesh.first[vertex];
     Index half_edge = first;
-    Index last = first;
     do {
       hits.push_back(mesh.hit[half_edge / 3]);
-      last = half_edge;
       half_edge = mesh.turn(half_edge);
     } while (half_edge != first && half_edge != kNone);
-    if (half_edge == kNone) {
-      mesh.position.push_back(boundary_position(grid, points, hits, previous_in_triangle(first),
-                                                last, boxes[mesh.leaf[vertex]], position));
+    const LatticeBox& box = boxes[mesh.leaf[vertex]];
+    find_rims(grid, mesh, vertex, rims);
+    if (!rims.empty()) {
+      mesh.position.push_back(rim_position(grid, hits, rims, box));
       continue;
     }
-    const Vec3 point = vertex_position(grid, points, hits, boxes[mesh.leaf[vertex]], position);
+    const Vec3 point = vertex_position(grid, points, hits, box, position);
     mesh.position.push_back(point);
-    if (!meets_planes(grid, hits, point, error.distance) &&
+    const bool on_boundary = half_edge == kNone;
+    if (!on_boundary && !meets_planes(grid, hits, point, error.distance) &&
         !meets_planes(grid, hits, point, error_limit(error, points, hits, point))) {
       off.push_back(vertex);
     }

@@ -52,6 +52,9 @@ inline std::array<std::int64_t, 3> area_vector(const LatticeTriangle& t) {
   return {e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0]};
 }
 
+/// Does the triangle's normal point up the axis?
+inline bool points_up(const LatticeTriangle& t, int axis) { return area_vector(t)[axis] > 0; }
+
 /// A position on a grid line, in units of 2^-12 lattice steps. Its integer part is exact: the
 /// position is below the lattice plane s iff floor_of(position) < s. Its fraction is rounded.
 using LinePosition = std::uint32_t;

@@ -92,8 +92,8 @@ inline Index first_above(const std::vector<Hit>& hits, Index begin, Index end, s
 template <typename Visit>
 class FaceWalk {
  public:
-  FaceWalk(const GridData& grid, Visit& visit, std::uint64_t most_steps)
-      : grid_(grid), visit_(visit), steps_left_(most_steps) {}
+  FaceWalk(const GridData& grid, Visit& visit, std::uint64_t most_steps, bool empty_too)
+      : grid_(grid), visit_(visit), steps_left_(most_steps), empty_too_(empty_too) {}
 
   bool exhausted() const { return steps_left_ == 0; }
 
@@ -122,7 +122,7 @@ class FaceWalk {
       --steps_left_;
       const Cell& below = cells[face.below];
       const Cell& above = cells[face.above];
-      if (face.hit_count() == 0 && !below.active(face.axis, true) &&
+      if (!empty_too_ && face.hit_count() == 0 && !below.active(face.axis, true) &&
           !above.active(face.axis, false)) {
         return;
       }
@@ -185,6 +185,7 @@ class FaceWalk {
   const GridData& grid_;
   Visit& visit_;
   std::uint64_t steps_left_;
+  bool empty_too_;
 };
 
 /// Visits all minimal faces with hits, split by split. `boxes` from `cell_boxes`. Goes down at most
@@ -193,11 +194,21 @@ class FaceWalk {
 template <typename Visit>
 bool for_each_face(const GridData& grid, const std::vector<LatticeBox>& boxes, Visit&& visit,
                    std::uint64_t most_steps = ~std::uint64_t{0}) {
-  FaceWalk<std::remove_reference_t<Visit>> walk(grid, visit, most_steps);
+  FaceWalk<std::remove_reference_t<Visit>> walk(grid, visit, most_steps, false);
   for (std::size_t c = 0; c < grid.cells.size() && !walk.exhausted(); ++c) {
     if (!grid.cells[c].leaf()) walk.splitting_face(grid.cells[c], boxes[c]);
   }
   return !walk.exhausted();
+}
+
+/// Visits all minimal faces, those without hits as well.
+template <typename Visit>
+void for_each_face_or_empty(const GridData& grid, const std::vector<LatticeBox>& boxes,
+                            Visit&& visit) {
+  FaceWalk<std::remove_reference_t<Visit>> walk(grid, visit, ~std::uint64_t{0}, true);
+  for (std::size_t c = 0; c < grid.cells.size(); ++c) {
+    if (!grid.cells[c].leaf()) walk.splitting_face(grid.cells[c], boxes[c]);
+  }
 }
 
 }  // namespace kdm

@@ -82,8 +82,9 @@ struct Hit {
 };
 static_assert(sizeof(Hit) == 8);
 
-/// Where a sheet's rim leaves a minimal face whose link it cuts off: the half-edge of the hit at
-/// the other end of the surface's section with the face lies on the boundary.
+/// Where the rim of an open surface leaves a minimal face whose link it cuts off, and the half-edge
+/// of the hit at the other end of the surface's section with the face. A sheet's lies on the
+/// boundary; a solid's is linked to what closes the surface.
 struct RimHit {
   Index half_edge;
   Vec3 point;   ///< on the face, lattice coordinates
@@ -102,9 +103,9 @@ struct GridData {
   /// Of input faces with hits, in the order of the first hits; their normals point out of the
   /// solid.
   std::vector<Plane> planes;
-  std::vector<Index> source_faces;  ///< per plane: the input face it is of
+  std::vector<Index> source_faces;  ///< per plane: the input face it is of; kNone: invented
   bool sheet = false;               ///< not a solid's: half-edges may lie on the boundary
-  std::vector<RimHit> rims;         ///< of boundary half-edges, ascending; not all need have one
+  std::vector<RimHit> rims;         ///< ascending; not all half-edges on a boundary need have one
   GridStats stats;
   InputReport input;
 
@@ -112,6 +113,8 @@ struct GridData {
   Index start_leaf(Index half_edge) const { return start[half_edge] & ~kStrip; }
   bool crosses_strip(Index half_edge) const { return (start[half_edge] & kStrip) != 0; }
   const Plane& plane_of(Index hit) const { return planes[hits[hit].plane()]; }
+  /// Of no input face, but where a hole was closed.
+  bool invented(Index hit) const { return source_faces[hits[hit].plane()] == kNone; }
   Index splits() const { return static_cast<Index>(cells.size() / 2); }
   std::size_t bytes() const;
 };

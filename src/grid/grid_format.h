@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The bytes of a saved grid, version 2. Numbers are little-endian; `n` is a variable-length number
+// The bytes of a saved grid, version 3. Numbers are little-endian; `n` is a variable-length number
 // of seven bits a byte (mesh/bytes.h), `f64` a double, `z` a signed number as n: 0, -1, 1, -2, ...
 // as 0, 1, 2, 3, ...
 //
@@ -31,7 +31,7 @@
 //                      `for_each_face` visits them, a bit a hit in the order of `for_each_hit`: 1
 //                      where a link begins, 0 where the last link still open ends; of sheets for
 //                      each face that is no strip, whatever `SheetLinkDecisions` ask, 1 for yes
-//   rims     n         their number; only of sheets
+//   rims     n         their number
 //            a rim: n, 3 f64, 3 f64  half-edge less that of the rim before, less 1; point; normal
 //
 // What follows from this is not stored: boxes, active sides, whether hits are reversed, a solid's
@@ -46,7 +46,7 @@
 namespace kdm::grid_format {
 
 inline constexpr std::string_view kMagic = "\x89kdgrid\n";
-inline constexpr std::uint32_t kVersion = 2;
+inline constexpr std::uint32_t kVersion = 3;
 inline constexpr std::size_t kHeaderBytes = 8 + 4 + 8 + 8;
 
 /// Planes are numbered by 30 bits, cells and half-edges by 31 and 32.

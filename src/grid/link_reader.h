@@ -13,7 +13,7 @@
 
 namespace kdm {
 
-/// To be called with every minimal face, and `finish`ed; a sheet's rims follow. Throws as the
+/// To be called with every minimal face, and `finish`ed; the rims follow. Throws as the
 /// reader does.
 class LinkReader {
  public:

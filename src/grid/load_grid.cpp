@@ -219,7 +219,7 @@ class GridReader {
       bytes_.fail("the cells have far more sides in common than those of grids that are built");
     }
     links.finish();
-    if (grid_.sheet) links.read_rims();
+    links.read_rims();
     if (bytes_.bytes_left() > 0) bytes_.fail("the grid ends here, but not the file");
   }
 

@@ -36,7 +36,7 @@ class GridWriter {
     write_hits();
     for_each_face(grid_, boxes_, [&](const MinimalFace& face) { write_links(face); });
     append_bits();
-    if (grid_.sheet) write_rims();
+    write_rims();
     return std::move(out_);
   }
 

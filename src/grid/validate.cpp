@@ -174,11 +174,11 @@ class FaceValidation {
 };
 
 void validate_rims(const GridData& grid) {
-  require(grid.sheet || grid.rims.empty(), "only sheets have rims", grid.rims.size());
   for (std::size_t i = 0; i < grid.rims.size(); ++i) {
     const Index half_edge = grid.rims[i].half_edge;
-    require(half_edge < grid.opposite.size() && grid.opposite[half_edge] == kNone,
-            "a rim is of a half-edge on the boundary", i);
+    require(half_edge < grid.opposite.size(), "a rim is of a half-edge", i);
+    require(!grid.sheet || grid.opposite[half_edge] == kNone,
+            "a sheet's rim is of a half-edge on the boundary", i);
     require(i == 0 || grid.rims[i - 1].half_edge < half_edge, "rims ascend", i);
   }
 }

@@ -349,7 +349,7 @@ TEST_F(Cli, MistakesInTheArguments) {
   EXPECT_EQ(complaint("cube.obj --strategy fast"),
             "--strategy: 'fast' is none of adaptive, octree, feature, median, uniform");
   EXPECT_EQ(complaint("cube.obj --inside even"),
-            "--inside: 'even' is none of positive, odd, nonzero, sheet");
+            "--inside: 'even' is none of repair, positive, odd, nonzero, sheet");
   EXPECT_EQ(complaint("cube.obj --pairing near"),
             "--pairing: 'near' is none of trace, hermite, inside, outside");
   for (const char* depth : {"0", "61", "-1", "9.5", "x", "''", "99999999999999999999"}) {
@@ -385,7 +385,8 @@ TEST_F(Cli, SheetsPassTheCheckWithABoundary) {
   EXPECT_EQ(outcome.status, 0);
   EXPECT_NE(outcome.out.find("manifold with 1 boundary loops"), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find("passed: 2-manifold with boundary"), std::string::npos);
-  EXPECT_NE(complaint("open.obj").find("not closed"), std::string::npos) << "a solid must be";
+  EXPECT_NE(complaint("open.obj --inside positive").find("not closed"), std::string::npos)
+      << "a solid must be";
 }
 
 TEST_F(Cli, BadInputIsNamedAndLeavesNothing) {
@@ -406,13 +407,13 @@ TEST_F(Cli, BadInputIsNamedAndLeavesNothing) {
   write("empty.obj", std::string("# nothing\n"));
   EXPECT_EQ(complaint("empty.obj -o out.obj").rfind("empty.obj: ", 0), 0u);
   write("open.obj", shapes::open(shapes::cube()));
-  EXPECT_EQ(complaint("open.obj -o out.obj").rfind("open.obj: ", 0), 0u);
+  EXPECT_EQ(complaint("open.obj -o out.obj --inside positive").rfind("open.obj: ", 0), 0u);
 }
 
 TEST_F(Cli, AnOldOutputSurvivesFailure) {
   write("out.obj", std::string("precious"));
   write("open.obj", shapes::open(shapes::cube()));
-  complaint("open.obj -o out.obj");
+  complaint("open.obj -o out.obj --inside positive");
   EXPECT_EQ(read("out.obj"), "precious");
   EXPECT_EQ(run("cube.obj -o out.obj" + kCoarse).status, 0);
   EXPECT_TRUE(check::is_two_manifold(mesh("out.obj")));

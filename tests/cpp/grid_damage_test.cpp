@@ -228,7 +228,7 @@ TEST(GridDamage, HostileRimsAreRefused) {
       [&](auto& rims) {
         rims = {{linked, rims[0].point, rims[0].normal}};
       },
-      "a rim is of a half-edge on the boundary");
+      "a sheet's rim is of a half-edge on the boundary");
   expect_after(
       [&](auto& rims) { rims.back().half_edge = static_cast<Index>(grid.opposite.size()); },
       "a rim's half-edge is none");

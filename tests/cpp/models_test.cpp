@@ -318,7 +318,7 @@ TEST(Models, TriangleSoupsAreWelded) {
 TEST(Models, OpenInputIsRefusedWithItsFirstEdge) {
   // Without its last face {1, 7, 5} the cube has three open edges.
   try {
-    build_grid(shapes::open(shapes::cube()));
+    build_grid(shapes::open(shapes::cube()), {.inside = InsideRule::kPositive});
     FAIL() << "open input was accepted";
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ErrorCode::kNotClosed);
@@ -332,7 +332,7 @@ TEST(Models, OpenInputIsRefusedWithItsFirstEdge) {
   Mesh mixed = shapes::cube();
   std::swap(mixed.triangles[5][0], mixed.triangles[5][1]);
   try {
-    build_grid(mixed);
+    build_grid(mixed, {.inside = InsideRule::kPositive});
     FAIL() << "inconsistently oriented input was accepted";
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ErrorCode::kNotClosed);

@@ -17,7 +17,8 @@
 namespace kdm {
 namespace {
 
-const BuildOptions kCoarse{.strategy = SplitStrategy::kUniform, .depth = 6};
+const BuildOptions kCoarse{
+    .strategy = SplitStrategy::kUniform, .depth = 6, .inside = InsideRule::kPositive};
 
 // The error that building throws, which must hold all of these words.
 void expect_refused(const Mesh& mesh, ErrorCode code, const std::vector<std::string>& words) {

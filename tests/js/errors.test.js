@@ -108,13 +108,27 @@ const table = [
     'INVALID_MESH',
     /quads\[3\] is 9/,
   ],
-  ['an open mesh', build({ positions, indices: indices.slice(3) }), 'NOT_CLOSED', /3.*edge/],
+  [
+    'an open mesh, not to be repaired',
+    build({ positions, indices: indices.slice(3) }, { inside: 'positive' }),
+    'NOT_CLOSED',
+    /3.*edge/,
+  ],
+  [
+    'a surface that encloses nothing',
+    build({ positions, indices: indices.slice(0, 3) }),
+    'NOT_CLOSED',
+    /encloses nothing/,
+  ],
   [
     'a face turned over',
-    build({
-      positions,
-      indices: Uint32Array.of(...[...indices.slice(0, 3)].reverse(), ...indices.slice(3)),
-    }),
+    build(
+      {
+        positions,
+        indices: Uint32Array.of(...[...indices.slice(0, 3)].reverse(), ...indices.slice(3)),
+      },
+      { inside: 'positive' },
+    ),
     'NOT_CLOSED',
     /edge/,
   ],
@@ -254,7 +268,13 @@ const asyncTable = [
   ['transfer that is no flag', cube(), { transfer: 1 }, 'INVALID_OPTION', /transfer/],
   ['progress that is no function', cube(), { onProgress: {} }, 'INVALID_OPTION', /onProgress/],
   ['a bad mesh', { positions: [] }, {}, 'INVALID_MESH', /positions/],
-  ['an open mesh', { positions, indices: indices.slice(3) }, {}, 'NOT_CLOSED', /edge/],
+  [
+    'an open mesh',
+    { positions, indices: indices.slice(3) },
+    { inside: 'positive' },
+    'NOT_CLOSED',
+    /edge/,
+  ],
   ['an aborted signal', cube(), { signal: AbortSignal.abort('no') }, 'ABORTED', /stopped/],
   ['too little memory', enormous(), { transfer: true }, 'OUT_OF_MEMORY', /memory/],
 ];

@@ -42,8 +42,8 @@ export const buildOptions: Table<BuildOptions> = {
   },
   inside: {
     kind: 'choice',
-    values: ['positive', 'odd', 'nonzero', 'sheet'],
-    default: 'positive',
+    values: ['repair', 'positive', 'odd', 'nonzero', 'sheet'],
+    default: 'repair',
     help: 'which winding numbers are inside; sheet: none, open surfaces stay open',
   },
   pairing: {

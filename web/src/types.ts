@@ -84,14 +84,16 @@ export interface BuildOptions {
   depth?: number;
   /**
    * Which winding numbers are inside:
-   * - `positive` (default): above 0, the union of overlapping and nested shells
+   * - `repair` (default): `positive` if the surface is closed and consistently oriented; any other
+   *   becomes a solid by its generalised winding number: holes are closed, faces turned back
+   * - `positive`: above 0, the union of overlapping and nested shells
    * - `odd`: odd ones
    * - `nonzero`: all but 0
    * - `sheet`: there is no inside; all of the surface is kept, as it is turned, and open surfaces stay
    *   open: the result is a manifold with boundary. Any mesh will do; it comes apart where neighbours
    *   are turned against each other
    */
-  inside?: 'positive' | 'odd' | 'nonzero' | 'sheet';
+  inside?: 'repair' | 'positive' | 'odd' | 'nonzero' | 'sheet';
   /**
    * How hits are linked where a minimal face carries more than two:
    * - `trace` (default): as the input's surface crosses the face

@@ -23,6 +23,8 @@ enum class InsideRule {
   kPositive,  ///< winding > 0: union of overlapping and nested shells
   kOdd,       ///< odd winding
   kNonzero,   ///< winding != 0
+  kRepair,    ///< positive where the surface is closed and turned consistently; any other surface
+              ///< becomes a solid by its generalised winding number (Jacobson et al. 2013)
   kSheet  ///< no solid: all of the surface is kept, as it is turned, and open surfaces stay open
           ///< (paper 2.3.2); the result is a manifold with boundary
 };
@@ -46,7 +48,7 @@ struct BuildOptions {
   /// Limit of the kd-tree's depth, 1 to 60; three levels halve a cell in each axis. 0 stands for
   /// 60, a safety net (18, 64 cells an axis, for uniform).
   int depth = 0;
-  InsideRule inside = InsideRule::kPositive;
+  InsideRule inside = InsideRule::kRepair;
   Pairing pairing = Pairing::kTrace;
 };
 
