@@ -11,6 +11,7 @@
 #include "build/crowded_edges.h"
 #include "geometry/predicates.h"
 #include "kdmanifold/error.h"
+#include "mesh/boundary_loops.h"
 #include "mesh/cancel.h"
 #include "mesh/weld.h"
 

@@ -236,7 +236,7 @@ export interface MeshReport {
   unreferencedVertices: number;
   /** Edges with one face. */
   boundaryEdges: number;
-  /** Connected parts of the boundary edges. */
+  /** Closed rounds of boundary edges; those that touch in a vertex count apart. */
   boundaryLoops: number;
   /** Edges with three or more faces. */
   nonManifoldEdges: number;
