@@ -19,13 +19,19 @@ class Polygons {
     return face < triangles ? mesh_.triangles[face].data() : mesh_.quads[face - triangles].data();
   }
 
-  /// Calls `visit(face, triangle)`; a quad gives its two triangles at the corners 0 and 2.
+  /// Calls `visit(triangle)`; a quad gives its two triangles at the corners 0 and 2.
+  template <typename Visit>
+  void for_each_triangle_of(Index face, const Visit& visit) const {
+    const Index* v = (*this)[face];
+    visit(Triangle{v[0], v[1], v[2]});
+    if (corners(face) == 4) visit(Triangle{v[0], v[2], v[3]});
+  }
+
+  /// Calls `visit(face, triangle)` for all faces.
   template <typename Visit>
   void for_each_triangle(const Visit& visit) const {
     for (Index face = 0; face < size(); ++face) {
-      const Index* v = (*this)[face];
-      visit(face, Triangle{v[0], v[1], v[2]});
-      if (corners(face) == 4) visit(face, Triangle{v[0], v[2], v[3]});
+      for_each_triangle_of(face, [&](const Triangle& t) { visit(face, t); });
     }
   }
 

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// What there is to be said about each part of a mesh.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "kdmanifold/analyze.h"
+#include "mesh/boundary_loops.h"
+#include "mesh/faults.h"
+
+namespace kdm {
+
+/// One for each of `faults.parts`, which are those of the mesh, as `loops` are.
+std::vector<MeshPart> describe_parts(const Mesh& mesh, const MeshFaults& faults,
+                                     std::span<const BoundaryLoop> loops);
+
+}  // namespace kdm
