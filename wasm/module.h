@@ -142,6 +142,7 @@ inline val from_defects(const MeshDefects& defects) {
   to.set("duplicateFaces", from_indices(defects.duplicate_faces));
   to.set("selfIntersectingFaces", from_indices(defects.self_intersecting_faces));
   to.set("selfIntersections", static_cast<double>(defects.self_intersections));
+  to.set("nestingKnown", defects.nesting_known);
   to.set("partOf", from_indices(defects.part_of));
   std::vector<Index> loop_vertices;
   std::vector<Index> loop_ends;

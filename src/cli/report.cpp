@@ -70,6 +70,7 @@ Json defects_json(const MeshDefects& defects) {
           {"openParts", sums.open},
           {"insideOutParts", sums.inside_out},
           {"cavities", sums.cavities},
+          {"nestingKnown", defects.nesting_known},
           {"genus", sums.genus},
           {"area", sums.area},
           {"volume", sums.volume}};
@@ -167,9 +168,10 @@ std::string defects_text(const MeshDefects& defects) {
   add(defects.duplicate_faces.size(), "doubled faces");
   add(defects.self_intersections, "pairs of triangles cross");
   add(sums.inside_out, "parts inside out");
-  return fmt::format("defects  {}\nparts    {} open, {} closed, {} of these cavities, genus {}\n",
+  const char* nesting = defects.nesting_known ? "" : " (too many overlap to look for them)";
+  return fmt::format("defects  {}\nparts    {} open, {} closed, {} of these cavities{}, genus {}\n",
                      text.empty() ? "none" : text, sums.open, defects.parts.size() - sums.open,
-                     sums.cavities, sums.genus);
+                     sums.cavities, nesting, sums.genus);
 }
 
 bool writes(const Command& command) {

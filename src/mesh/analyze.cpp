@@ -66,7 +66,9 @@ MeshDefects analyze(const Mesh& mesh, const AnalyzeOptions& options) try {
 
   MeshDefects defects;
   defects.report = describe(points, faults, loops);
-  defects.parts = describe_parts(points, faults, loops);
+  PartsReport parts = describe_parts(points, faults, loops);
+  defects.parts = std::move(parts.parts);
+  defects.nesting_known = parts.nesting_known;
   defects.balanced =
       !defects.parts.empty() && std::all_of(defects.parts.begin(), defects.parts.end(),
                                             [](const MeshPart& part) { return part.closed; });

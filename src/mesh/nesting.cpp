@@ -15,6 +15,12 @@ namespace {
 
 using Corners = std::array<Vec3, 3>;
 
+// The limit of work, in pairs of boxes that meet: about a second. A point held against a triangle
+// takes as long as several of them. Six thousand parts that all overlap reach it, or two thousand
+// round each other, but not a block with a hundred thousand bubbles.
+constexpr std::uint64_t kMostTests = std::uint64_t{1} << 25;
+constexpr std::uint64_t kTestsAPoint = 4;
+
 bool holds(const Box& a, const Box& b) {
   return (a.min.array() <= b.min.array()).all() && (a.max.array() >= b.max.array()).all();
 }
@@ -113,16 +119,20 @@ struct Verdict {
 };
 
 // Asks the triangles of one part about points. `triangles` calls its argument with each of them.
+// Counts the work in `tests`, and leaves the rest of the triangles out when it is too much.
 template <typename Triangles>
-std::vector<Verdict> judge(const std::vector<Box>& points, const Triangles& triangles) {
+std::vector<Verdict> judge(const std::vector<Box>& points, const Triangles& triangles,
+                           std::uint64_t& tests) {
   double highest = points[0].max.x();
   for (const Box& point : points) highest = std::max(highest, point.max.x());
   const BoxTree tree(points);
   std::vector<Verdict> verdicts(points.size());
   triangles([&](const Corners& t) {
+    if (tests > kMostTests) return;
     Box above = {t[0].cwiseMin(t[1]).cwiseMin(t[2]), t[0].cwiseMax(t[1]).cwiseMax(t[2])};
     above.max.x() = std::max(above.max.x(), highest);
     tree.for_each_meeting(above, [&](Index i) {
+      tests += kTestsAPoint;
       const Vec3& p = points[i].min;
       const int side = volume_sign(t[0], t[1], t[2], p);
       if (side == 0) {
@@ -140,9 +150,10 @@ std::vector<Verdict> judge(const std::vector<Box>& points, const Triangles& tria
 
 }  // namespace
 
-std::vector<Enclosure> find_enclosures(const Polygons& faces, std::span<const Vec3> positions,
-                                       std::span<const Index> part_of,
-                                       std::span<const Shell> shells) {
+std::optional<std::vector<Enclosure>> find_enclosures(const Polygons& faces,
+                                                      std::span<const Vec3> positions,
+                                                      std::span<const Index> part_of,
+                                                      std::span<const Shell> shells) {
   std::vector<Index> closed;
   std::vector<Box> boxes;
   for (Index part = 0; part < shells.size(); ++part) {
@@ -150,28 +161,35 @@ std::vector<Enclosure> find_enclosures(const Polygons& faces, std::span<const Ve
     closed.push_back(part);
     boxes.push_back(shells[part].bounds);
   }
-  if (closed.size() < 2) return {};
+  std::vector<Enclosure> enclosures;
+  if (closed.size() < 2) return enclosures;
   const BoxTree tree(boxes);
   const std::vector<std::vector<Index>> samples = take_samples(faces, positions, part_of, shells);
   const FacesByPart sorted = sort_by_part(part_of, shells.size());
 
-  std::vector<Enclosure> enclosures;
+  std::uint64_t tests = 0;
   for (const Index outer : closed) {
     std::vector<Index> candidates;
     std::vector<Box> points;
     tree.for_each_meeting(shells[outer].bounds, [&](Index i) {
+      ++tests;
       if (closed[i] == outer || !holds(shells[outer].bounds, boxes[i])) return;
       candidates.push_back(closed[i]);
       for (const Index v : samples[closed[i]]) points.push_back({positions[v], positions[v]});
     });
+    if (tests > kMostTests) return std::nullopt;
     if (candidates.empty()) continue;
-    const std::vector<Verdict> verdicts = judge(points, [&](const auto& ask) {
-      for (Index i = sorted.starts[outer]; i < sorted.starts[outer + 1]; ++i) {
-        faces.for_each_triangle_of(sorted.faces[i], [&](const Triangle& t) {
-          ask({positions[t[0]], positions[t[1]], positions[t[2]]});
-        });
-      }
-    });
+    const std::vector<Verdict> verdicts = judge(
+        points,
+        [&](const auto& ask) {
+          for (Index i = sorted.starts[outer]; i < sorted.starts[outer + 1]; ++i) {
+            faces.for_each_triangle_of(sorted.faces[i], [&](const Triangle& t) {
+              ask({positions[t[0]], positions[t[1]], positions[t[2]]});
+            });
+          }
+        },
+        tests);
+    if (tests > kMostTests) return std::nullopt;
     auto verdict = verdicts.begin();
     for (const Index inner : candidates) {
       const auto end = verdict + static_cast<std::ptrdiff_t>(samples[inner].size());

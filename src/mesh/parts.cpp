@@ -50,8 +50,8 @@ int turn_of(const PartTopology& part, const Measure& measure) {
 
 }  // namespace
 
-std::vector<MeshPart> describe_parts(const Mesh& mesh, const MeshFaults& faults,
-                                     std::span<const BoundaryLoop> loops) {
+PartsReport describe_parts(const Mesh& mesh, const MeshFaults& faults,
+                           std::span<const BoundaryLoop> loops) {
   const Polygons faces(mesh);
   const ScaledPositions scaled = scale_to_one(mesh.positions);
   std::vector<Shell> shells(faults.parts.size());
@@ -73,8 +73,11 @@ std::vector<MeshPart> describe_parts(const Mesh& mesh, const MeshFaults& faults,
     turns[i] = turn_of(topology, measures[i]);
   }
 
+  const std::optional<std::vector<Enclosure>> enclosures =
+      find_enclosures(faces, scaled.positions, faults.part_of, shells);
+  if (!enclosures) return {std::move(parts), false};
   std::vector<int> winding(parts.size(), 0);  // round the part, by those that hold it
-  for (const Enclosure& pair : find_enclosures(faces, scaled.positions, faults.part_of, shells)) {
+  for (const Enclosure& pair : *enclosures) {
     winding[pair.inner] += turns[pair.outer];
     Index& smallest = parts[pair.inner].inside;
     if (smallest == kNone ||
@@ -86,7 +89,7 @@ std::vector<MeshPart> describe_parts(const Mesh& mesh, const MeshFaults& faults,
     parts[i].cavity = turns[i] < 0 && winding[i] > 0;
     parts[i].inside_out = turns[i] != 0 && (winding[i] < 0 || (turns[i] < 0 && winding[i] == 0));
   }
-  return parts;
+  return {std::move(parts), true};
 }
 
 }  // namespace kdm

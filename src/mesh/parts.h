@@ -11,8 +11,13 @@
 
 namespace kdm {
 
+struct PartsReport {
+  std::vector<MeshPart> parts;
+  bool nesting_known = true;
+};
+
 /// One for each of `faults.parts`, which are those of the mesh, as `loops` are.
-std::vector<MeshPart> describe_parts(const Mesh& mesh, const MeshFaults& faults,
-                                     std::span<const BoundaryLoop> loops);
+PartsReport describe_parts(const Mesh& mesh, const MeshFaults& faults,
+                           std::span<const BoundaryLoop> loops);
 
 }  // namespace kdm

@@ -463,6 +463,32 @@ TEST(Analyze, NestedBoxesAsTheirCornersTell) {
   EXPECT_GT(nested, 50u);
 }
 
+// Shells round each other make as many pairs as the square of their number, and so does asking
+// which of them hold which where boxes overlap and shells do not.
+TEST(Analyze, GivesUpWhatLiesInWhatWhereTooManyOverlap) {
+  const auto shells = [](int count, double growth, double step) {
+    std::vector<Mesh> meshes;
+    for (int i = 0; i < count; ++i) {
+      const double size = 1 + growth * i;
+      const Vec3 centre(step * i, 0, 0);
+      meshes.push_back(shapes::box(centre - Vec3::Constant(size), centre + Vec3::Constant(size)));
+    }
+    return shapes::merged(meshes);
+  };
+  const MeshDefects few = analyze(shells(100, 0.01, 0));
+  EXPECT_TRUE(few.nesting_known);
+  EXPECT_EQ(few.parts[0].inside, 1u);
+  for (const Mesh& many : {shells(2500, 0.001, 0), shells(8000, 0, 0.0001)}) {
+    const MeshDefects found = analyze(many);
+    EXPECT_FALSE(found.nesting_known);
+    for (const MeshPart& part : found.parts) {
+      ASSERT_EQ(part.inside, kNone);
+      ASSERT_FALSE(part.cavity || part.inside_out);
+      ASSERT_GT(part.volume, 0);
+    }
+  }
+}
+
 TEST(Analyze, CavitiesOfModels) {
   const MeshDefects cheese = analyze(shapes::swiss_cheese(20));
   Index cavities = 0;

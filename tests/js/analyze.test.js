@@ -35,6 +35,7 @@ test('a cube has no defects', () => {
   expect(found(defects)).toEqual({});
   expect(defects.balanced).toBe(true);
   expect(defects.boundaryLoops).toEqual([]);
+  expect(defects.nestingKnown).toBe(true);
   expect(defects.selfIntersections).toBe(0);
   expect(defects.report).toEqual(kdm.describe(cube()));
   expect([...defects.partOf]).toEqual(Array(12).fill(0));

@@ -26,7 +26,7 @@ export function reportAsJson(report: CliReport, command: Command): string {
   const { defects, result, seconds } = report;
   const json = {
     input: result?.input ?? (defects && inputOf(defects)),
-    defects: defects && countsOf(defects),
+    defects: defects && { ...countsOf(defects), nestingKnown: defects.nestingKnown },
     grid: result?.grid,
     output: result && outputOf(result.output),
     check: command.check && result ? checkOf(result.output) : undefined,
@@ -164,10 +164,11 @@ function defectLines(defects: MeshDefects): string[] {
   const counts = countsOf(defects);
   const found = names.filter(([key]) => counts[key]).map(([key, name]) => `${counts[key]} ${name}`);
   const { openParts = 0, cavities, genus } = counts;
+  const nesting = defects.nestingKnown ? '' : ' (too many overlap to look for them)';
   return [
     `defects  ${found.join(', ') || 'none'}`,
     `parts    ${openParts} open, ${defects.parts.length - openParts} closed, ` +
-      `${cavities} of these cavities, genus ${genus}`,
+      `${cavities} of these cavities${nesting}, genus ${genus}`,
   ];
 }
 

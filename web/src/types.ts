@@ -346,6 +346,11 @@ export interface MeshDefects {
   partOf: Uint32Array<ArrayBuffer>;
   /** In order of their first faces. */
   parts: MeshPart[];
+  /**
+   * False: thousands of closed parts overlap, so that nobody has looked which lie in which; `inside` is then
+   * null, `cavity` and `insideOut` false for all.
+   */
+  nestingKnown: boolean;
 }
 
 /** The part of `Report` about the result. */
