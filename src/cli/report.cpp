@@ -70,10 +70,10 @@ Json defects_json(const MeshDefects& defects) {
           {"openParts", sums.open},
           {"insideOutParts", sums.inside_out},
           {"cavities", sums.cavities},
-          {"nestingKnown", defects.nesting_known},
           {"genus", sums.genus},
           {"area", sums.area},
-          {"volume", sums.volume}};
+          {"volume", sums.volume},
+          {"nestingKnown", defects.nesting_known}};
 }
 
 Json grid_json(const GridStats& grid) {
