@@ -15,6 +15,7 @@ EMSCRIPTEN_BINDINGS(kdmanifold) {
   function("loadGrid", &kdm::wasm::load_grid);
   function("parseMesh", &kdm::wasm::parse_mesh);
   function("formatMesh", &kdm::wasm::format_mesh);
+  function("analyze", &kdm::wasm::analyze);
   function("describe", &kdm::wasm::describe);
   function("findSelfIntersections", &kdm::wasm::find_self_intersections);
   function("memory", &kdm::wasm::memory);

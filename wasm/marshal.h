@@ -102,6 +102,13 @@ inline val from_mesh(const Mesh& mesh, const char* real) {
   return to;
 }
 
+/// A Uint32Array of plain numbers, or of arrays of them one after the other.
+template <typename T>
+val from_indices(const std::vector<T>& from) {
+  return copy_out("Uint32Array", from.size() * (sizeof(T) / sizeof(Index)),
+                  reinterpret_cast<const Index*>(from.data()));
+}
+
 inline std::string to_bytes(const val& array) {
   std::string bytes(length(array), '\0');
   copy_in(array, bytes.size(), reinterpret_cast<std::uint8_t*>(bytes.data()));

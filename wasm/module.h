@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The functions that the wrapper calls: marshal, call the library, marshal. Each returns what
-// `guard` makes of it. A new option is one line in `to_build_options` or `to_extract_options`.
+// `guard` makes of it. A new option is one line in `to_build_options` or one of its neighbours.
 #pragma once
 
 #include <malloc.h>
@@ -58,6 +58,12 @@ inline ExtractOptions to_extract_options(const val& from) {
   read(from, "strict", options.strict, kStrict);
   read(from, "normals", options.normals);
   read(from, "creaseAngle", options.crease_angle);
+  return options;
+}
+
+inline AnalyzeOptions to_analyze_options(const val& from) {
+  AnalyzeOptions options;
+  read(from, "selfIntersections", options.self_intersections);
   return options;
 }
 
@@ -119,6 +125,44 @@ inline val from_mesh_report(const MeshReport& report) {
   to.set("volume", report.volume);
   to.set("area", report.area);
   to.set("bounds", from_box(report.bounds));
+  return to;
+}
+
+// Loops one after the other with the place where each ends, parts as one array a field: there may
+// be hundreds of thousands, and the wrapper makes objects of them quicker than calls from here.
+inline val from_defects(const MeshDefects& defects) {
+  val to = val::object();
+  to.set("report", from_mesh_report(defects.report));
+  to.set("balanced", defects.balanced);
+  to.set("boundaryEdges", from_indices(defects.boundary_edges));
+  to.set("nonManifoldEdges", from_indices(defects.non_manifold_edges));
+  to.set("misorientedEdges", from_indices(defects.misoriented_edges));
+  to.set("nonManifoldVertices", from_indices(defects.non_manifold_vertices));
+  to.set("degenerateFaces", from_indices(defects.degenerate_faces));
+  to.set("zeroAreaFaces", from_indices(defects.zero_area_faces));
+  to.set("duplicateFaces", from_indices(defects.duplicate_faces));
+  to.set("selfIntersectingFaces", from_indices(defects.self_intersecting_faces));
+  to.set("selfIntersections", static_cast<double>(defects.self_intersections));
+  to.set("nestingKnown", defects.nesting_known);
+  to.set("partOf", from_indices(defects.part_of));
+  std::vector<Index> loop_vertices;
+  std::vector<Index> loop_ends;
+  for (const std::vector<Index>& loop : defects.boundary_loops) {
+    loop_vertices.insert(loop_vertices.end(), loop.begin(), loop.end());
+    loop_ends.push_back(static_cast<Index>(loop_vertices.size()));
+  }
+  to.set("loopVertices", from_indices(loop_vertices));
+  to.set("loopEnds", from_indices(loop_ends));
+  std::vector<std::array<Index, 8>> counts;
+  std::vector<std::array<double, 2>> sizes;
+  for (const MeshPart& part : defects.parts) {
+    counts.push_back({part.first_face, part.faces, part.boundary_loops, part.genus, part.inside,
+                      part.closed, part.cavity, part.inside_out});
+    sizes.push_back({part.area, part.volume});
+  }
+  to.set("partCounts", from_indices(counts));
+  to.set("partSizes",
+         copy_out("Float64Array", 2 * sizes.size(), reinterpret_cast<const double*>(sizes.data())));
   return to;
 }
 
@@ -186,9 +230,14 @@ inline val find_self_intersections(val mesh) {
     const SelfIntersections found = kdm::find_self_intersections(to_mesh(mesh));
     val to = val::object();
     to.set("pairs", static_cast<double>(found.pairs));
-    to.set("faces", copy_out("Uint32Array", found.faces.size(), found.faces.data()));
+    to.set("faces", from_indices(found.faces));
     return to;
   });
+}
+
+inline val analyze(val mesh, val options) {
+  return guard(
+      [&] { return from_defects(kdm::analyze(to_mesh(mesh), to_analyze_options(options))); });
 }
 
 inline val describe(val mesh) {

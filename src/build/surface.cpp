@@ -6,34 +6,16 @@
 
 #include <Eigen/Geometry>
 
-#include <cmath>
-
 #include "build/crowded_edges.h"
 #include "geometry/predicates.h"
 #include "kdmanifold/error.h"
+#include "mesh/boundary_loops.h"
 #include "mesh/cancel.h"
+#include "mesh/check_positions.h"
 #include "mesh/weld.h"
 
 namespace kdm {
 namespace {
-
-// Squares of coordinates must stay finite.
-constexpr double kLargestCoordinate = 1e150;
-
-void check_positions(const Mesh& mesh) {
-  if (mesh.positions.empty()) throw Error(ErrorCode::kInvalidMesh, "the mesh has no vertices");
-  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-    const Vec3& p = mesh.positions[i];
-    for (int axis = 0; axis < 3; ++axis) {
-      if (!(std::abs(p[axis]) <= kLargestCoordinate)) {
-        throw Error(ErrorCode::kInvalidMesh,
-                    fmt::format("positions: vertex {} has {} coordinate {}, which is not a finite "
-                                "number of at most 1e150",
-                                i, "xyz"[axis], p[axis]));
-      }
-    }
-  }
-}
 
 // Input triangles with quads cut in two; `source` tells the face each came from.
 struct Faces {
@@ -160,6 +142,7 @@ Plane plane_of(const Vec3& a, const Vec3& b, const Vec3& c, const LatticeTriangl
 }  // namespace
 
 Surface prepare_surface(const Mesh& mesh, InsideRule inside) {
+  if (mesh.positions.empty()) throw Error(ErrorCode::kInvalidMesh, "the mesh has no vertices");
   check_positions(mesh);
   Faces faces = collect_faces(mesh);
   const Weld weld = weld_positions(mesh.positions);

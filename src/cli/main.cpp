@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The native command line: read, build (or load), extract, write, report. Exit status 0: done; 1:
-// --check found the output not 2-manifold; 2: bad input or option, one line on standard error.
+// The native command line: read, analyze, build (or load), extract, write, report. Exit status 0:
+// done; 1: --check found the output not 2-manifold; 2: bad input or option, one line of error.
 #include <sys/resource.h>
 
 #include <chrono>
@@ -50,6 +50,13 @@ void round_to_single(Mesh& mesh) {
   for (Vec3& p : mesh.positions) p = p.cast<float>().cast<double>();
 }
 
+int finish(RunReport& report, const Command& command) {
+  report.peak_bytes = peak_bytes();
+  print(command.json ? report_as_json(report, command) : report_as_text(report, command));
+  const bool sheet = command.build.inside == InsideRule::kSheet;
+  return command.check && !passes_check(report.output, sheet) ? kNotManifold : 0;
+}
+
 int run(const Command& command) {
   // Known in advance, so said before the work rather than after it.
   if (!command.output.empty()) format_from_path(command.output);
@@ -63,6 +70,9 @@ int run(const Command& command) {
   } else {
     const Mesh mesh = read_mesh(command.input);
     report.seconds.read = watch.lap();
+    if (command.stats) report.defects = analyze(mesh, {.self_intersections = true});
+    report.seconds.analyze = watch.lap();
+    if (!converts(command)) return finish(report, command);
     grid = build_grid(mesh, command.build);
     report.seconds.build = watch.lap();
   }
@@ -77,10 +87,7 @@ int run(const Command& command) {
   report.output = describe(result);
   report.extracted = result.report;
   if (command.check) report.self_intersections = find_self_intersections(result).pairs;
-  report.peak_bytes = peak_bytes();
-  print(command.json ? report_as_json(report, command) : report_as_text(report, command));
-  const bool sheet = command.build.inside == InsideRule::kSheet;
-  return command.check && !passes_check(report.output, sheet) ? kNotManifold : 0;
+  return finish(report, command);
 }
 
 // Messages may quote file names, and those may hold anything.

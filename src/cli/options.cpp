@@ -166,6 +166,8 @@ std::vector<Flag> flags(Command& command) {
        [&] { command.json = true; }},
       {"--check", "verify the output, count crossings; exit status 1 if it is not 2-manifold",
        [&] { command.check = true; }},
+      {"--stats", "describe the input's defects; alone, nothing else is done",
+       [&] { command.stats = true; }},
   };
 }
 
@@ -229,6 +231,9 @@ Command parse_command(int argc, const char* const* argv) {
   if (!fault.empty()) throw UsageError(fault);
   if (!command.save_grid.empty() && !names_a_grid(command.save_grid)) {
     throw UsageError(fmt::format("--save-grid: '{}' does not end in .kdgrid", command.save_grid));
+  }
+  if (command.stats && names_a_grid(command.input)) {
+    throw UsageError(fmt::format("--stats: {} is a grid, which has no faces", command.input));
   }
   for (const ValueOption& option : of_build) {
     if (names_a_grid(command.input) && app.count(option.name) > 0) {

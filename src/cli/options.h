@@ -19,8 +19,14 @@ struct Command {
   ExtractOptions extract;
   bool json = false;   ///< print the report as JSON
   bool check = false;  ///< verify the output; exit status 1 if it is not 2-manifold
+  bool stats = false;  ///< describe the input's defects
   std::string answer;  ///< not empty: print this instead of working (--help, --version)
 };
+
+/// Is there a grid to be made? Not with --stats alone.
+inline bool converts(const Command& command) {
+  return !command.stats || command.check || !command.output.empty() || !command.save_grid.empty();
+}
 
 /// A mistake in the arguments; `what()` is one line.
 struct UsageError : std::runtime_error {

@@ -25,6 +25,57 @@ Json input_json(const InputReport& input) {
           {"latticeStep", input.lattice_step}};
 }
 
+// The keys of the above that need no grid.
+Json input_json(const MeshDefects& input) {
+  return {{"vertices", input.report.vertices},
+          {"triangles", input.report.triangles},
+          {"closed", input.balanced},
+          {"boundaryEdges", input.boundary_edges.size()},
+          {"nonManifoldEdges", input.non_manifold_edges.size()},
+          {"degenerateFaces", input.degenerate_faces.size() + input.zero_area_faces.size()},
+          {"components", input.parts.size()}};
+}
+
+// What the parts have together.
+struct Sums {
+  std::uint64_t open = 0, inside_out = 0, cavities = 0, genus = 0;
+  double area = 0, volume = 0;
+};
+
+Sums sums_of(const MeshDefects& defects) {
+  Sums sums;
+  for (const MeshPart& part : defects.parts) {
+    sums.open += part.closed ? 0 : 1;
+    sums.inside_out += part.inside_out ? 1 : 0;
+    sums.cavities += part.cavity ? 1 : 0;
+    sums.genus += part.genus == kNone ? 0 : part.genus;
+    sums.area += part.area;
+    sums.volume += part.volume;
+  }
+  return sums;
+}
+
+Json defects_json(const MeshDefects& defects) {
+  const Sums sums = sums_of(defects);
+  return {{"boundaryEdges", defects.boundary_edges.size()},
+          {"boundaryLoops", defects.boundary_loops.size()},
+          {"nonManifoldEdges", defects.non_manifold_edges.size()},
+          {"misorientedEdges", defects.misoriented_edges.size()},
+          {"nonManifoldVertices", defects.non_manifold_vertices.size()},
+          {"degenerateFaces", defects.degenerate_faces.size()},
+          {"zeroAreaFaces", defects.zero_area_faces.size()},
+          {"duplicateFaces", defects.duplicate_faces.size()},
+          {"selfIntersections", defects.self_intersections},
+          {"selfIntersectingFaces", defects.self_intersecting_faces.size()},
+          {"openParts", sums.open},
+          {"insideOutParts", sums.inside_out},
+          {"cavities", sums.cavities},
+          {"genus", sums.genus},
+          {"area", sums.area},
+          {"volume", sums.volume},
+          {"nestingKnown", defects.nesting_known}};
+}
+
 Json grid_json(const GridStats& grid) {
   return {{"cells", grid.cells},
           {"leaves", grid.leaves},
@@ -101,8 +152,87 @@ std::string check_text(const MeshReport& output, std::uint64_t self_intersection
       output.non_manifold_vertices, output.degenerate_faces, output.duplicate_faces);
 }
 
+std::string defects_text(const MeshDefects& defects) {
+  const Sums sums = sums_of(defects);
+  std::string text;
+  const auto add = [&](std::uint64_t count, const char* what) {
+    if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, what);
+  };
+  add(defects.boundary_edges.size(), "open edges");
+  add(defects.boundary_loops.size(), "boundary loops");
+  add(defects.non_manifold_edges.size(), "edges with three or more faces");
+  add(defects.misoriented_edges.size(), "edges whose faces disagree");
+  add(defects.non_manifold_vertices.size(), "vertices that are not manifold");
+  add(defects.degenerate_faces.size(), "faces with a repeated vertex");
+  add(defects.zero_area_faces.size(), "faces without area");
+  add(defects.duplicate_faces.size(), "doubled faces");
+  add(defects.self_intersections, "pairs of triangles cross");
+  add(sums.inside_out, "parts inside out");
+  const char* nesting = defects.nesting_known ? "" : " (too many overlap to look for them)";
+  return fmt::format("defects  {}\nparts    {} open, {} closed, {} of these cavities{}, genus {}\n",
+                     text.empty() ? "none" : text, sums.open, defects.parts.size() - sums.open,
+                     sums.cavities, nesting, sums.genus);
+}
+
 bool writes(const Command& command) {
   return !command.output.empty() || !command.save_grid.empty();
+}
+
+Json seconds_json(const RunReport& report, const Command& command) {
+  Json json = {{"read", report.seconds.read}};
+  if (command.stats) json["analyze"] = report.seconds.analyze;
+  if (converts(command)) {
+    json["build"] = report.seconds.build;
+    json["extract"] = report.seconds.extract;
+  }
+  if (writes(command)) json["write"] = report.seconds.write;
+  return json;
+}
+
+std::string seconds_text(const RunReport& report, const Command& command) {
+  std::string text = fmt::format("seconds  read {:.3f}", report.seconds.read);
+  if (command.stats) text += fmt::format(", analyze {:.3f}", report.seconds.analyze);
+  if (converts(command)) {
+    text +=
+        fmt::format(", build {:.3f}, extract {:.3f}", report.seconds.build, report.seconds.extract);
+  }
+  if (writes(command)) text += fmt::format(", write {:.3f}", report.seconds.write);
+  return text + '\n';
+}
+
+std::string input_text(const RunReport& report, const Command& command) {
+  const auto text = [&](std::size_t vertices, std::size_t triangles, std::size_t parts) {
+    return fmt::format("input    {}: {} vertices, {} triangles, {} parts", command.input, vertices,
+                       triangles, parts);
+  };
+  if (!converts(command)) {
+    const MeshDefects& input = report.defects;
+    return text(input.report.vertices, input.report.triangles, input.parts.size()) + '\n';
+  }
+  const InputReport& input = report.input;
+  std::string lines = text(input.vertices, input.triangles, input.components);
+  lines += input.flipped ? ", turned inside out\n" : "\n";
+  if (input.degenerate_faces + input.cancelled_faces > 0) {
+    lines += fmt::format("         {} faces without area and {} back to back take no part\n",
+                         input.degenerate_faces, input.cancelled_faces);
+  }
+  return lines;
+}
+
+std::string result_text(const RunReport& report, const Command& command) {
+  const GridStats& grid = report.grid;
+  const MeshReport& output = report.output;
+  const bool sheet = command.build.inside == InsideRule::kSheet;
+  std::string text = fmt::format(
+      "grid     {}, depth {}: {} cells, {} hits, {:.1f} MB{}\n",
+      names_a_grid(command.input) ? "loaded" : word_of(command.build.strategy), grid.depth,
+      grid.cells, grid.hits, static_cast<double>(grid.bytes) / 1e6, topology_text(grid));
+  text += fmt::format("output   {}{}{} vertices, {}, {} parts, Euler characteristic {}, {}\n",
+                      command.output, command.output.empty() ? "" : ": ", output.vertices,
+                      faces_text(output.triangles, output.quads), output.components,
+                      output.euler_characteristic, kind_text(output, report.extracted, sheet));
+  if (command.check) text += check_text(output, report.self_intersections, sheet);
+  return text;
 }
 
 }  // namespace
@@ -112,47 +242,27 @@ bool passes_check(const MeshReport& output, bool sheet) {
 }
 
 std::string report_as_json(const RunReport& report, const Command& command) {
-  Json json = {{"input", input_json(report.input)},
-               {"grid", grid_json(report.grid)},
-               {"output", output_json(report.output, report.extracted)}};
+  Json json;
+  json["input"] = converts(command) ? input_json(report.input) : input_json(report.defects);
+  if (command.stats) json["defects"] = defects_json(report.defects);
+  if (converts(command)) {
+    json["grid"] = grid_json(report.grid);
+    json["output"] = output_json(report.output, report.extracted);
+  }
   if (command.check) {
     json["output"]["selfIntersections"] = report.self_intersections;
     json["check"] = check_json(report.output);
   }
-  json["seconds"] = {{"read", report.seconds.read},
-                     {"build", report.seconds.build},
-                     {"extract", report.seconds.extract}};
-  if (writes(command)) json["seconds"]["write"] = report.seconds.write;
+  json["seconds"] = seconds_json(report, command);
   json["peakBytes"] = report.peak_bytes;
   return json.dump(2) + "\n";
 }
 
 std::string report_as_text(const RunReport& report, const Command& command) {
-  const InputReport& input = report.input;
-  const GridStats& grid = report.grid;
-  const MeshReport& output = report.output;
-  const bool sheet = command.build.inside == InsideRule::kSheet;
-  std::string text = fmt::format("input    {}: {} vertices, {} triangles, {} parts{}\n",
-                                 command.input, input.vertices, input.triangles, input.components,
-                                 input.flipped ? ", turned inside out" : "");
-  if (input.degenerate_faces + input.cancelled_faces > 0) {
-    text += fmt::format("         {} faces without area and {} back to back take no part\n",
-                        input.degenerate_faces, input.cancelled_faces);
-  }
-  text += fmt::format("grid     {}, depth {}: {} cells, {} hits, {:.1f} MB{}\n",
-                      names_a_grid(command.input) ? "loaded" : word_of(command.build.strategy),
-                      grid.depth, grid.cells, grid.hits, static_cast<double>(grid.bytes) / 1e6,
-                      topology_text(grid));
-  text += fmt::format("output   {}{}{} vertices, {}, {} parts, Euler characteristic {}, {}\n",
-                      command.output, command.output.empty() ? "" : ": ", output.vertices,
-                      faces_text(output.triangles, output.quads), output.components,
-                      output.euler_characteristic, kind_text(output, report.extracted, sheet));
-  if (command.check) text += check_text(output, report.self_intersections, sheet);
-  text += fmt::format("seconds  read {:.3f}, build {:.3f}, extract {:.3f}", report.seconds.read,
-                      report.seconds.build, report.seconds.extract);
-  if (writes(command)) text += fmt::format(", write {:.3f}", report.seconds.write);
-  text += '\n';
-  return text;
+  std::string text = input_text(report, command);
+  if (command.stats) text += defects_text(report.defects);
+  if (converts(command)) text += result_text(report, command);
+  return text + seconds_text(report, command);
 }
 
 }  // namespace kdm::cli

@@ -11,11 +11,12 @@
 namespace kdm::cli {
 
 struct Seconds {
-  double read = 0, build = 0, extract = 0, write = 0;
+  double read = 0, analyze = 0, build = 0, extract = 0, write = 0;
 };
 
 struct RunReport {
-  InputReport input;
+  MeshDefects defects;  ///< of the input; with --stats only
+  InputReport input;    ///< this and what follows: unless --stats is all that is asked for
   GridStats grid;
   MeshReport output;
   ExtractReport extracted;
@@ -27,8 +28,9 @@ struct RunReport {
 /// What --check asks: closed and 2-manifold; of a sheet, a manifold that may have a boundary.
 bool passes_check(const MeshReport& output, bool sheet);
 
-/// `input`, `grid`, `output` (with --check also its `selfIntersections`), with --check `check`,
-/// then `seconds` and `peakBytes`; indented, with a line end.
+/// `input`, with --stats `defects`, then `grid`, `output` (with --check also its
+/// `selfIntersections`), with --check `check`, then `seconds` and `peakBytes`; indented, with a
+/// line end. With --stats alone there is neither `grid` nor `output`.
 std::string report_as_json(const RunReport& report, const Command& command);
 /// A few lines for people.
 std::string report_as_text(const RunReport& report, const Command& command);

@@ -18,7 +18,7 @@
 #include "extract/strict.h"
 #include "extract/unfold.h"
 #include "kdmanifold/error.h"
-#include "mesh/topology.h"
+#include "mesh/boundary_loops.h"
 
 namespace kdm {
 namespace {

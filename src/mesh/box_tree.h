@@ -18,6 +18,12 @@ class BoxTree {
     if (!nodes_.empty()) within(0, visit);
   }
 
+  /// Calls `visit(i)` once for every box that meets or touches this one.
+  template <typename Visit>
+  void for_each_meeting(const Box& box, const Visit& visit) const {
+    if (!nodes_.empty()) below(0, box, visit);
+  }
+
  private:
   struct Node {
     Box box;
@@ -37,6 +43,20 @@ class BoxTree {
   void test(Index i, Index j, const Visit& visit) const {
     if (meet(boxes_[order_[i]], boxes_[order_[j]])) {
       visit(std::min(order_[i], order_[j]), std::max(order_[i], order_[j]));
+    }
+  }
+
+  template <typename Visit>
+  void below(Index node, const Box& box, const Visit& visit) const {
+    const Node& n = nodes_[node];
+    if (!meet(n.box, box)) return;
+    if (n.right != 0) {
+      below(node + 1, box, visit);
+      below(n.right, box, visit);
+      return;
+    }
+    for (Index i = n.begin; i < n.end; ++i) {
+      if (meet(boxes_[order_[i]], box)) visit(order_[i]);
     }
   }
 

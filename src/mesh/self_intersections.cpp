@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Faces of a mesh that cross or touch where they share nothing.
-#include <cmath>
 #include <new>
 
 #include "geometry/triangle_triangle.h"
@@ -8,39 +7,23 @@
 #include "kdmanifold/mesh.h"
 #include "mesh/box_tree.h"
 #include "mesh/check_indices.h"
+#include "mesh/polygons.h"
+#include "mesh/scale.h"
 
 namespace kdm {
 namespace {
 
-// Coordinates times a power of two, which rounds nothing, so that products stay in range.
-std::vector<Vec3> scaled_to_one(const std::vector<Vec3>& positions) {
-  double largest = 0;
-  for (const Vec3& p : positions) largest = std::max(largest, p.cwiseAbs().maxCoeff());
-  int exponent = 0;
-  std::frexp(largest, &exponent);
-  std::vector<Vec3> scaled;
-  scaled.reserve(positions.size());
-  for (const Vec3& p : positions) {
-    scaled.emplace_back(std::ldexp(p[0], -exponent), std::ldexp(p[1], -exponent),
-                        std::ldexp(p[2], -exponent));
-  }
-  return scaled;
-}
-
 struct Corners {
   Triangle numbers;
-  Index face;  // of the mesh: triangles first, then quads
+  Index face;
 };
 
 std::vector<Corners> triangles_of(const Mesh& mesh) {
   std::vector<Corners> triangles;
   triangles.reserve(mesh.triangles.size() + 2 * mesh.quads.size());
-  Index face = 0;
-  for (const Triangle& t : mesh.triangles) triangles.push_back({t, face++});
-  for (const Quad& q : mesh.quads) {
-    triangles.push_back({{q[0], q[1], q[2]}, face});
-    triangles.push_back({{q[0], q[2], q[3]}, face++});
-  }
+  Polygons(mesh).for_each_triangle([&](Index face, const Triangle& t) {
+    triangles.push_back({t, face});
+  });
   return triangles;
 }
 
@@ -49,7 +32,7 @@ std::vector<Corners> triangles_of(const Mesh& mesh) {
 SelfIntersections find_self_intersections(const Mesh& mesh) try {
   check_indices(mesh);
   const std::vector<Corners> triangles = triangles_of(mesh);
-  const std::vector<Vec3> positions = scaled_to_one(mesh.positions);
+  const std::vector<Vec3> positions = scale_to_one(mesh.positions).positions;
   const auto corners = [&](Index t) {
     const Triangle& n = triangles[t].numbers;
     return std::array<Vec3, 3>{positions[n[0]], positions[n[1]], positions[n[2]]};

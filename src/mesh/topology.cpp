@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "mesh/disjoint_sets.h"
+
 namespace kdm {
 namespace {
 
@@ -14,35 +16,12 @@ struct SideRecord {
   bool forward;  // runs from the lower to the upper corner
 };
 
-class UnionFind {
- public:
-  explicit UnionFind(std::size_t size) : parent_(size), sets_(static_cast<Index>(size)) {
-    std::iota(parent_.begin(), parent_.end(), Index{0});
-  }
-  void unite(Index a, Index b) {
-    a = find(a);
-    b = find(b);
-    if (a == b) return;
-    parent_[std::max(a, b)] = std::min(a, b);
-    --sets_;
-  }
-  Index sets() const { return sets_; }
-
- private:
-  Index find(Index a) {
-    while (parent_[a] != a) a = parent_[a] = parent_[parent_[a]];
-    return a;
-  }
-  std::vector<Index> parent_;
-  Index sets_;
-};
-
 // All sides along one edge.
-void close_edge(std::span<const SideRecord> edge, Topology& topology, UnionFind& parts) {
+void close_edge(std::span<const SideRecord> edge, Topology& topology, DisjointSets& parts) {
   Index forward = 0;
   for (const SideRecord& r : edge) {
     forward += r.forward ? 1 : 0;
-    parts.unite(edge[0].side / 3, r.side / 3);
+    parts.join(edge[0].side / 3, r.side / 3);
   }
   topology.boundary_edges += edge.size() == 1 ? 1 : 0;
   topology.non_manifold_edges += edge.size() >= 3 ? 1 : 0;
@@ -84,7 +63,7 @@ Topology build_topology(std::span<const Triangle> triangles, Index points) {
                                              from < to};
     }
   }
-  UnionFind parts(triangles.size());
+  DisjointSets parts(triangles.size());
   for (Index p = 0; p < points; ++p) {
     const auto begin = records.begin() + bucket[p];
     const auto end = records.begin() + bucket[p + 1];
@@ -100,26 +79,8 @@ Topology build_topology(std::span<const Triangle> triangles, Index points) {
       first = last;
     }
   }
-  topology.components = parts.sets();
+  topology.components = parts.count();
   return topology;
-}
-
-Index count_boundary_loops(std::span<const Index> twin) {
-  std::vector<char> seen(twin.size(), 0);
-  const auto next_side = [](Index side) { return side % 3 == 2 ? side - 2 : side + 1; };
-  Index loops = 0;
-  for (Index start = 0; start < twin.size(); ++start) {
-    if (twin[start] != kNone || seen[start] != 0) continue;
-    ++loops;
-    Index side = start;
-    do {
-      seen[side] = 1;
-      // Round the corner at the side's end, until the surface ends there too.
-      side = next_side(side);
-      while (twin[side] != kNone) side = next_side(twin[side]);
-    } while (side != start);
-  }
-  return loops;
 }
 
 }  // namespace kdm

@@ -29,7 +29,4 @@ struct Topology {
 /// Sides from a corner to an equal corner are ignored. `points` bounds the corner numbers.
 Topology build_topology(std::span<const Triangle> triangles, Index points);
 
-/// Closed walks along the sides without twin, from each to the next one round the corner. Linear.
-Index count_boundary_loops(std::span<const Index> twin);
-
 }  // namespace kdm

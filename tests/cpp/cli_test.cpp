@@ -125,8 +125,8 @@ TEST_F(Cli, HelpListsTheOptions) {
             "--check",     "--crease-angle", "--depth",     "--help",      "--inside",
             "--json",      "--link-error",   "--no-strict", "--no-unfold", "--normals",
             "--output",    "--pairing",      "--position",  "--quads",     "--relative-tolerance",
-            "--save-grid", "--split-error",  "--strategy",  "--strict",    "--tolerance",
-            "--version"}));
+            "--save-grid", "--split-error",  "--stats",     "--strategy",  "--strict",
+            "--tolerance", "--version"}));
     EXPECT_NE(outcome.out.find("adaptive|octree|feature|median|uniform"), std::string::npos);
   }
 }
@@ -283,6 +283,47 @@ TEST_F(Cli, ASavedGridIsAsGoodAsItsMesh) {
             std::string::npos);
   std::ofstream(folder_ / "bad.kdgrid") << read("torus.kdgrid").substr(0, 1000);
   EXPECT_NE(complaint("bad.kdgrid -o c.obj").find("bad.kdgrid: byte 28"), std::string::npos);
+}
+
+TEST_F(Cli, StatsDescribeTheInput) {
+  // Open, with a face doubled: what cannot be built from can be described.
+  Mesh mesh = shapes::open(shapes::cube());
+  mesh.triangles.push_back(mesh.triangles[0]);
+  write("open.obj", mesh);
+  const Json json = report("open.obj --stats");
+  EXPECT_EQ(keys(json), (Names{"input", "defects", "seconds", "peakBytes"}));
+  EXPECT_EQ(keys(json["input"]), (Names{"vertices", "triangles", "closed", "boundaryEdges",
+                                        "nonManifoldEdges", "degenerateFaces", "components"}));
+  EXPECT_EQ(keys(json["seconds"]), (Names{"read", "analyze"}));
+  EXPECT_EQ(json["input"]["triangles"], 12);
+  EXPECT_EQ(json["input"]["closed"], false);
+  const Json& defects = json["defects"];
+  EXPECT_EQ(defects["boundaryEdges"], 3);
+  EXPECT_EQ(defects["boundaryLoops"], 1);
+  EXPECT_EQ(defects["nonManifoldEdges"], 3);
+  EXPECT_EQ(defects["duplicateFaces"], 1);
+  EXPECT_EQ(defects["selfIntersections"], 1) << "the doubled faces";
+  EXPECT_EQ(defects["openParts"], 1);
+  const std::string text = run("open.obj --stats").out;
+  EXPECT_NE(text.find("defects  3 open edges, 1 boundary loops, 3 edges with three or more faces"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(run("cube.obj --stats").out.find("defects  none\nparts    0 open, 1 closed, 0 of"),
+            std::string::npos);
+
+  // With an output both come, and the input's keys are those of the grid's report.
+  const Json both = report("cube.obj --stats -o out.obj --check" + kCoarse);
+  EXPECT_EQ(keys(both),
+            (Names{"input", "defects", "grid", "output", "check", "seconds", "peakBytes"}));
+  EXPECT_EQ(both["input"], report("cube.obj" + kCoarse)["input"]);
+  EXPECT_EQ(keys(both["seconds"]), (Names{"read", "analyze", "build", "extract", "write"}));
+  EXPECT_TRUE(fs::exists(folder_ / "out.obj"));
+  const Json alone = report("cube.obj --stats")["input"];
+  for (const auto& item : alone.items()) EXPECT_EQ(item.value(), both["input"][item.key()]);
+
+  complaint("open.obj --stats -o other.obj");
+  complaint("missing.obj --stats");
+  EXPECT_EQ(complaint("cube.kdgrid --stats"), "--stats: cube.kdgrid is a grid, which has no faces");
 }
 
 TEST_F(Cli, PositionsDifferWhereVerticesLeaveTheirCells) {

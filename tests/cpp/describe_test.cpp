@@ -188,6 +188,7 @@ TEST(Describe, Hole) {
   Mesh mesh = tetrahedron_mesh();
   mesh.triangles.pop_back();
   EXPECT_EQ(describe(mesh).boundary_edges, 3u);
+  EXPECT_EQ(describe(mesh).boundary_loops, 1u);
   EXPECT_EQ(describe(mesh).non_manifold_vertices, 0u);
   EXPECT_FALSE(describe(mesh).closed);
   EXPECT_EQ(describe(mesh).euler_characteristic, 1);
@@ -199,6 +200,7 @@ TEST(Describe, Hole) {
                     {},
                     {}};
   EXPECT_EQ(describe(bow).non_manifold_vertices, 1u);
+  EXPECT_EQ(describe(bow).boundary_loops, 2u) << "which touch";
   expect_agreement(bow, "bow tie");
 }
 

@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 
+#include "mesh/boundary_loops.h"
 #include "support/random.h"
 #include "support/shapes.h"
 

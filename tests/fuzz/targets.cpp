@@ -101,6 +101,9 @@ void build_from_bytes(const std::uint8_t* bytes, std::size_t size) {
   const bool sheet = options.inside == InsideRule::kSheet;
   Mesh input = shapes::mesh_from_bytes(bytes + 4, size - 4);
   if (sheet) input = torn(std::move(input), bytes[3]);
+  const MeshDefects defects = analyze(input, {.self_intersections = true});
+  demand(sheet || defects.balanced || defects.parts.empty(), "tetrahedra are closed");
+  demand(!defects.balanced || defects.boundary_loops.empty(), "closed meshes have no boundary");
   Grid grid;
   try {
     grid = build_grid(input, options);

@@ -166,6 +166,7 @@ const wrong = [
   [['a.obj', '--save-grid', 'grid.obj'], /--save-grid: 'grid\.obj' does not end in \.kdgrid/],
   [['a.kdgrid', '--pairing', 'trace', '--depth=9'], /--depth: the grid in a\.kdgrid is built/],
   [['no.kdgrid'], /no\.kdgrid: cannot be/],
+  [['a.kdgrid', '--stats'], /--stats: a\.kdgrid is a grid, which has no faces/],
 ];
 
 test.each(wrong.map(([args, message]) => [args.join(' '), args, message]))(
@@ -216,6 +217,51 @@ test('a saved grid is the same file from both, and is read by both', () =>
     expect(loaded[0]).toContain('grid     loaded, depth');
   }));
 
+test('--stats describes what cannot be built from, in both alike', () =>
+  withFolder((folder) => {
+    const { positions, indices } = together(cube(4), cube(2), torus());
+    write(join(folder, 'open.ply'), { positions, indices: indices.slice(3) });
+    const [native, node] = both(['open.ply', '--stats', '--json'], { cwd: folder }).map(
+      ({ status, stdout, stderr }) => {
+        expect({ status, stderr }).toEqual({ status: 0, stderr: '' });
+        return JSON.parse(stdout);
+      },
+    );
+    expect(JSON.stringify(keysOf(node))).toBe(JSON.stringify(keysOf(native)));
+    expect(Object.keys(node)).toEqual(['input', 'defects', 'seconds', 'peakBytes']);
+    expect(node.input).toEqual(native.input);
+    expect(node.defects).toEqual(native.defects);
+    expect(node.defects).toMatchObject({
+      boundaryEdges: 3,
+      boundaryLoops: 1,
+      openParts: 1,
+      genus: 1,
+    });
+    const texts = both(['open.ply', '--stats'], { cwd: folder }).map(({ stdout }) =>
+      stdout.replace(/\d+\.\d+/g, '#'),
+    );
+    expect(texts[1]).toBe(texts[0]);
+    expect(texts[0]).toContain('defects  3 open edges, 1 boundary loops, ');
+    expect(readdirSync(folder)).toEqual(['open.ply']);
+  }));
+
+test('--stats with an output does both', () =>
+  withFolder((folder) => {
+    write(join(folder, 'a.obj'), cube());
+    const args = ['a.obj', '--stats', '--check', '-o', 'b.obj'];
+    const [native, node] = both([...args, '--json'], { cwd: folder }).map(({ status, stdout }) => {
+      expect(status).toBe(0);
+      return JSON.parse(stdout);
+    });
+    expect(JSON.stringify(keysOf(node))).toBe(JSON.stringify(keysOf(native)));
+    expect(Object.keys(node.seconds)).toEqual(['read', 'analyze', 'build', 'extract', 'write']);
+    expect(node.defects).toEqual(native.defects);
+    expect(node.defects).toMatchObject({ boundaryEdges: 0, selfIntersections: 0, volume: 8 });
+    const texts = both(args, { cwd: folder }).map(({ stdout }) => stdout.replace(/\d+\.\d+/g, '#'));
+    expect(texts[1]).toBe(texts[0]);
+    expect(texts[0]).toContain('defects  none\n');
+  }));
+
 test('--help lists the same options in both, and they are those of the interface', () => {
   const names = both(['--help']).map(({ status, stdout }) => {
     expect(status).toBe(0);
@@ -230,6 +276,7 @@ test('--help lists the same options in both, and they are those of the interface
     '--no-strict',
     '--output',
     '--save-grid',
+    '--stats',
     '--version',
   ];
   const fromTable = Object.entries({ ...buildOptions, ...extractOptions }).map(([name, spec]) =>

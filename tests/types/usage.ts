@@ -9,6 +9,8 @@ import {
   type BuildOptions,
   type Conversion,
   type ErrorCode,
+  type MeshDefects,
+  type MeshPart,
   type Mesh,
   type MeshInput,
   type Report,
@@ -52,6 +54,10 @@ kdm.loadGrid(saved, 'part.kdgrid').delete();
 const bytes: Uint8Array = kdm.formatMesh(kdm.parseMesh('', 'obj'), 'stl');
 const geometry: BufferGeometry = toBufferGeometry(mesh);
 kdm.describe(fromBufferGeometry(new BoxGeometry()));
+const defects: MeshDefects = kdm.analyze(soup, { selfIntersections: true });
+const loop: Uint32Array | undefined = defects.boundaryLoops[0];
+const part: MeshPart | undefined = defects.parts[0];
+const handles: number | null = part?.genus ?? null;
 
 try {
   grid.extract();
@@ -71,4 +77,4 @@ grid.extract({ depth: 3 });
 // @ts-expect-error grids come from buildGrid
 new Grid();
 
-export { bytes, geometry, triangles, words };
+export { bytes, geometry, handles, loop, triangles, words };

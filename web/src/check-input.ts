@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Everything that a caller can get wrong is found here, before any memory is taken.
 import { KdManifoldError } from './errors.js';
-import { buildOptions, extractOptions, type OptionSpec } from './options.js';
-import type { BuildOptions, ExtractOptions, MeshInput, PolygonMeshInput } from './types.js';
+import { analyzeOptions, buildOptions, extractOptions, type OptionSpec } from './options.js';
+import type {
+  AnalyzeOptions,
+  BuildOptions,
+  ExtractOptions,
+  MeshInput,
+  PolygonMeshInput,
+} from './types.js';
 
 type Positions = MeshInput['positions'];
 type Indices = Uint16Array | Uint32Array;
@@ -161,4 +167,9 @@ export function checkBuildOptions(given: object, others: string[]): BuildOptions
 /** The options of `Grid.extract`. */
 export function checkExtractOptions(given: object, others: string[]): ExtractOptions {
   return pick(given, extractOptions, others);
+}
+
+/** The options of `analyze`. */
+export function checkAnalyzeOptions(given: object): AnalyzeOptions {
+  return pick(given, analyzeOptions, []);
 }

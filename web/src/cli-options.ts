@@ -16,8 +16,14 @@ export interface Command {
   extract: ExtractOptions;
   json: boolean;
   check: boolean;
+  stats: boolean;
   help: boolean;
   version: boolean;
+}
+
+/** Is there a grid to be made? Not with --stats alone. */
+export function converts({ stats, check, output, saveGrid }: Command): boolean {
+  return !stats || check || output !== undefined || saveGrid !== undefined;
 }
 
 const dashed = (name: string): string => name.replace(/[A-Z]/g, (c) => `-${c.toLowerCase()}`);
@@ -29,6 +35,7 @@ const flagName = (name: string, spec: OptionSpec): string =>
 const ownFlags = {
   json: 'print one JSON report on standard output, nothing else',
   check: 'verify the output; exit status 1 if it is not 2-manifold',
+  stats: "describe the input's defects; alone, nothing else is done",
   version: 'print the version',
   help: 'print this',
   'no-strict': 'keep double edges and parts without volume, as --strict off',
@@ -60,6 +67,7 @@ export function readCommand(args: string[]): Command {
     extract: readTable(extractOptions, values['no-strict'] ? { ...values, strict: 'off' } : values),
     json: values.json === true,
     check: values.check === true,
+    stats: values.stats === true,
     help: values.help === true,
     version: values.version === true,
   };
@@ -70,6 +78,9 @@ export function readCommand(args: string[]): Command {
   }
   if (command.saveGrid !== undefined && !namesAGrid(command.saveGrid)) {
     usageError(`--save-grid: '${command.saveGrid}' does not end in .kdgrid`);
+  }
+  if (command.stats && namesAGrid(command.input)) {
+    usageError(`--stats: ${command.input} is a grid, which has no faces`);
   }
   for (const name of Object.keys(command.build)) {
     if (namesAGrid(command.input)) {

@@ -2,49 +2,105 @@
 // The account of one run of the command line, word for word as src/cli/report.cpp writes it.
 import type { Command } from './cli-options.js';
 import { namesAGrid } from './library.js';
-import type { ExtractReport, GridStats, InputReport, MeshReport } from './types.js';
+import type { ExtractReport, GridStats, InputReport, MeshDefects, MeshReport } from './types.js';
 
 /** What is reported. */
 export interface CliReport {
-  input: InputReport;
-  grid: GridStats;
-  output: MeshReport & ExtractReport & { selfIntersections?: number };
-  seconds: { read: number; build: number; extract: number; write?: number };
+  /** Of the input; with --stats only. */
+  defects?: MeshDefects;
+  /** Unless --stats is all that is asked for. */
+  result?: {
+    input: InputReport;
+    grid: GridStats;
+    output: MeshReport & ExtractReport & { selfIntersections?: number };
+  };
+  seconds: { read: number; analyze?: number; build?: number; extract?: number; write?: number };
   peakBytes: number;
 }
 
-/** `input`, `grid`, `output` (with --check also its `selfIntersections`), with --check `check`, then `seconds` and `peakBytes`. */
+/**
+ * `input`, with --stats `defects`, then `grid`, `output` (with --check also its `selfIntersections`), with
+ * --check `check`, then `seconds` and `peakBytes`. With --stats alone there is neither `grid` nor `output`.
+ */
 export function reportAsJson(report: CliReport, command: Command): string {
-  const { output } = report;
+  const { defects, result, seconds } = report;
   const json = {
-    input: report.input,
-    grid: report.grid,
-    output: {
-      vertices: output.vertices,
-      triangles: output.triangles,
-      quads: output.quads,
-      components: output.components,
-      eulerCharacteristic: output.eulerCharacteristic,
-      twoManifold: output.twoManifold,
-      manifold: output.manifold,
-      closed: output.closed,
-      boundaryLoops: output.boundaryLoops,
-      volume: output.volume,
-      area: output.area,
-      droppedPillows: output.droppedPillows,
-      insertedVertices: output.insertedVertices,
-      splitVertices: output.splitVertices,
-      linkVertices: output.linkVertices,
-      flippedEdges: output.flippedEdges,
-      refinedHits: output.refinedHits,
-      crossings: output.crossings,
-      selfIntersections: output.selfIntersections,
+    input: result?.input ?? (defects && inputOf(defects)),
+    defects: defects && { ...countsOf(defects), nestingKnown: defects.nestingKnown },
+    grid: result?.grid,
+    output: result && outputOf(result.output),
+    check: command.check && result ? checkOf(result.output) : undefined,
+    seconds: {
+      read: seconds.read,
+      analyze: seconds.analyze,
+      build: seconds.build,
+      extract: seconds.extract,
+      write: seconds.write,
     },
-    check: command.check ? checkOf(output) : undefined,
-    seconds: report.seconds,
     peakBytes: report.peakBytes,
   };
   return `${JSON.stringify(json, null, 2)}\n`;
+}
+
+// The keys of an InputReport that need no grid.
+function inputOf(input: MeshDefects): object {
+  return {
+    vertices: input.report.vertices,
+    triangles: input.report.triangles,
+    closed: input.balanced,
+    boundaryEdges: input.report.boundaryEdges,
+    nonManifoldEdges: input.report.nonManifoldEdges,
+    degenerateFaces: input.degenerateFaces.length + input.zeroAreaFaces.length,
+    components: input.parts.length,
+  };
+}
+
+function countsOf(defects: MeshDefects): Record<string, number> {
+  const { report, parts } = defects;
+  const sum = (of: (part: MeshDefects['parts'][number]) => number): number =>
+    parts.reduce((total, part) => total + of(part), 0);
+  return {
+    boundaryEdges: report.boundaryEdges,
+    boundaryLoops: defects.boundaryLoops.length,
+    nonManifoldEdges: report.nonManifoldEdges,
+    misorientedEdges: report.misorientedEdges,
+    nonManifoldVertices: report.nonManifoldVertices,
+    degenerateFaces: report.degenerateFaces,
+    zeroAreaFaces: defects.zeroAreaFaces.length,
+    duplicateFaces: report.duplicateFaces,
+    selfIntersections: defects.selfIntersections,
+    selfIntersectingFaces: defects.selfIntersectingFaces.length,
+    openParts: sum((part) => Number(!part.closed)),
+    insideOutParts: sum((part) => Number(part.insideOut)),
+    cavities: sum((part) => Number(part.cavity)),
+    genus: sum((part) => part.genus ?? 0),
+    area: sum((part) => part.area),
+    volume: sum((part) => part.volume),
+  };
+}
+
+function outputOf(output: NonNullable<CliReport['result']>['output']): object {
+  return {
+    vertices: output.vertices,
+    triangles: output.triangles,
+    quads: output.quads,
+    components: output.components,
+    eulerCharacteristic: output.eulerCharacteristic,
+    twoManifold: output.twoManifold,
+    manifold: output.manifold,
+    closed: output.closed,
+    boundaryLoops: output.boundaryLoops,
+    volume: output.volume,
+    area: output.area,
+    droppedPillows: output.droppedPillows,
+    insertedVertices: output.insertedVertices,
+    splitVertices: output.splitVertices,
+    linkVertices: output.linkVertices,
+    flippedEdges: output.flippedEdges,
+    refinedHits: output.refinedHits,
+    crossings: output.crossings,
+    selfIntersections: output.selfIntersections,
+  };
 }
 
 // What --check looked for.
@@ -64,29 +120,74 @@ function checkOf(output: MeshReport): object {
 
 /** A few lines for people. */
 export function reportAsText(report: CliReport, command: Command): string {
-  const { input, grid, output, seconds } = report;
-  const faces =
-    output.quads === 0
-      ? `${output.triangles} triangles`
-      : `${output.triangles} triangles and ${output.quads} quads`;
-  const lines = [
-    `input    ${command.input}: ${input.vertices} vertices, ${input.triangles} triangles, ` +
-      `${input.components} parts${input.flipped ? ', turned inside out' : ''}`,
-  ];
+  const { defects, result } = report;
+  const lines = [];
+  if (result) lines.push(...inputLines(result.input, command));
+  else if (defects) lines.push(inputLine(defects.report, command));
+  if (defects) lines.push(...defectLines(defects));
+  if (result) lines.push(...resultLines(result, command));
+  lines.push(secondsLine(report.seconds));
+  return `${lines.join('\n')}\n`;
+}
+
+type Counts = { vertices: number; triangles: number; components: number };
+
+const inputLine = (input: Counts, command: Command): string =>
+  `input    ${command.input}: ${input.vertices} vertices, ${input.triangles} triangles, ` +
+  `${input.components} parts`;
+
+function inputLines(input: InputReport, command: Command): string[] {
+  const lines = [`${inputLine(input, command)}${input.flipped ? ', turned inside out' : ''}`];
   if (input.degenerateFaces + input.cancelledFaces > 0) {
     lines.push(
       `         ${input.degenerateFaces} faces without area and ${input.cancelledFaces} ` +
         'back to back take no part',
     );
   }
-  lines.push(
+  return lines;
+}
+
+const names: [string, string][] = [
+  ['boundaryEdges', 'open edges'],
+  ['boundaryLoops', 'boundary loops'],
+  ['nonManifoldEdges', 'edges with three or more faces'],
+  ['misorientedEdges', 'edges whose faces disagree'],
+  ['nonManifoldVertices', 'vertices that are not manifold'],
+  ['degenerateFaces', 'faces with a repeated vertex'],
+  ['zeroAreaFaces', 'faces without area'],
+  ['duplicateFaces', 'doubled faces'],
+  ['selfIntersections', 'pairs of triangles cross'],
+  ['insideOutParts', 'parts inside out'],
+];
+
+function defectLines(defects: MeshDefects): string[] {
+  const counts = countsOf(defects);
+  const found = names.filter(([key]) => counts[key]).map(([key, name]) => `${counts[key]} ${name}`);
+  const { openParts = 0, cavities, genus } = counts;
+  const nesting = defects.nestingKnown ? '' : ' (too many overlap to look for them)';
+  return [
+    `defects  ${found.join(', ') || 'none'}`,
+    `parts    ${openParts} open, ${defects.parts.length - openParts} closed, ` +
+      `${cavities} of these cavities${nesting}, genus ${genus}`,
+  ];
+}
+
+function resultLines(
+  { grid, output }: NonNullable<CliReport['result']>,
+  command: Command,
+): string[] {
+  const faces =
+    output.quads === 0
+      ? `${output.triangles} triangles`
+      : `${output.triangles} triangles and ${output.quads} quads`;
+  const lines = [
     `grid     ${namesAGrid(command.input) ? 'loaded' : (command.build.strategy ?? 'adaptive')}, depth ${grid.depth}: ${grid.cells} cells, ` +
       `${grid.hits} hits, ${(grid.bytes / 1e6).toFixed(1)} MB${topologyText(grid)}`,
     `output   ${command.output === undefined ? '' : `${command.output}: `}` +
       `${output.vertices} vertices, ${faces}, ${output.components} parts, ` +
       `Euler characteristic ${output.eulerCharacteristic}, ` +
       kindText(output, command),
-  );
+  ];
   if (command.check) {
     lines.push(
       passesCheck(output, command)
@@ -98,16 +199,18 @@ export function reportAsText(report: CliReport, command: Command): string {
             `degenerate, ${output.duplicateFaces} duplicate faces`,
     );
   }
-  const time = (value: number): string => value.toFixed(3);
-  lines.push(
-    `seconds  read ${time(seconds.read)}, build ${time(seconds.build)}, ` +
-      `extract ${time(seconds.extract)}` +
-      (seconds.write === undefined ? '' : `, write ${time(seconds.write)}`),
-  );
-  return `${lines.join('\n')}\n`;
+  return lines;
 }
 
-function kindText(output: CliReport['output'], command: Command): string {
+function secondsLine(seconds: CliReport['seconds']): string {
+  const steps = ['read', 'analyze', 'build', 'extract', 'write'] as const;
+  const taken = steps
+    .filter((step) => seconds[step] !== undefined)
+    .map((step) => `${step} ${seconds[step]?.toFixed(3)}`);
+  return `seconds  ${taken.join(', ')}`;
+}
+
+function kindText(output: MeshReport, command: Command): string {
   if (output.twoManifold) return 'closed 2-manifold';
   if (!passesCheck(output, command)) return 'not 2-manifold';
   return `manifold with ${output.boundaryLoops} boundary loops`;

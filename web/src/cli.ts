@@ -4,7 +4,7 @@
 // 0: done; 1: --check found the output not 2-manifold; 2: bad input or option, one line of error.
 import { readFileSync, realpathSync, renameSync, rmSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
-import { helpText, readCommand, type Command } from './cli-options.js';
+import { converts, helpText, readCommand, type Command } from './cli-options.js';
 import { passesCheck, reportAsJson, reportAsText, type CliReport } from './cli-report.js';
 import { KdManifoldError } from './errors.js';
 import type { Grid } from './grid.js';
@@ -30,8 +30,9 @@ export async function runCli(args: string[]): Promise<Outcome> {
     if (command.help) return { status: 0, out: helpText(), err: '' };
     if (command.version) return { status: 0, out: `kdmanifold ${library.version}\n`, err: '' };
     const report = convertFile(library, command);
+    const output = report.result?.output;
     return {
-      status: command.check && !passesCheck(report.output, command) ? notManifold : 0,
+      status: command.check && output && !passesCheck(output, command) ? notManifold : 0,
       out: command.json ? reportAsJson(report, command) : reportAsText(report, command),
       err: '',
     };
@@ -48,38 +49,46 @@ function convertFile(library: Awaited<ReturnType<typeof load>>, command: Command
   const { input, output } = command;
   // Known in advance, so said before the work rather than after it.
   const outputFormat = output === undefined ? undefined : formatFromPath(output);
-  const seconds: CliReport['seconds'] = { read: 0, build: 0, extract: 0 };
+  const report: CliReport = { seconds: { read: 0 }, peakBytes: 0 };
+  const { seconds } = report;
   const lap = stopwatch();
   let grid: Grid;
   if (namesAGrid(input)) {
     grid = library.loadGrid(readInput(input), input);
     seconds.read = lap();
+    seconds.build = 0;
   } else {
     const inputFormat = formatFromPath(input);
     const mesh = library.parseMesh(readInput(input), inputFormat, input);
     seconds.read = lap();
+    if (command.stats) {
+      report.defects = library.analyze(mesh, { selfIntersections: true });
+      seconds.analyze = lap();
+    }
+    if (!converts(command)) return { ...report, peakBytes: peakBytes() };
     grid = library.buildGrid(mesh, command.build);
     seconds.build = lap();
   }
-  const { report, ...result } = grid.extract(command.extract);
+  const { report: extracted, ...mesh } = grid.extract(command.extract);
   seconds.extract = lap();
   if (output !== undefined && outputFormat !== undefined) {
-    writeWhole(output, library.formatMesh(result, outputFormat));
+    writeWhole(output, library.formatMesh(mesh, outputFormat));
   }
   if (command.saveGrid !== undefined) writeWhole(command.saveGrid, grid.save());
   if (output !== undefined || command.saveGrid !== undefined) seconds.write = lap();
-  return {
+  const described = { ...library.describe(mesh), ...extracted };
+  const checked = command.check
+    ? { selfIntersections: library.findSelfIntersections(mesh).pairs }
+    : {};
+  report.result = {
     input: grid.input,
     grid: grid.stats,
-    output: {
-      ...library.describe(result),
-      ...report,
-      ...(command.check ? { selfIntersections: library.findSelfIntersections(result).pairs } : {}),
-    },
-    seconds,
-    peakBytes: process.resourceUsage().maxRSS * 1024,
+    output: { ...described, ...checked },
   };
+  return { ...report, peakBytes: peakBytes() };
 }
+
+const peakBytes = (): number => process.resourceUsage().maxRSS * 1024;
 
 function stopwatch(): () => number {
   let last = performance.now();

@@ -5,6 +5,7 @@ import type {
   ExtractedMesh,
   GridStats,
   InputReport,
+  MeshDefects,
   MeshReport,
   ParsedMesh,
   PolygonMeshInput,
@@ -25,11 +26,23 @@ export interface RawGrid {
   delete(): void;
 }
 
+/** What the wrapper makes `boundaryLoops` and `parts` of. */
+export interface RawDefects extends Omit<MeshDefects, 'boundaryLoops' | 'parts'> {
+  /** The loops one after the other, and where each ends. */
+  loopVertices: Uint32Array<ArrayBuffer>;
+  loopEnds: Uint32Array<ArrayBuffer>;
+  /** Eight a part: firstFace, faces, boundaryLoops, genus, inside, closed, cavity, insideOut. */
+  partCounts: Uint32Array<ArrayBuffer>;
+  /** Two a part: area, volume. */
+  partSizes: Float64Array<ArrayBuffer>;
+}
+
 export interface RawModule {
   buildGrid(mesh: PolygonMeshInput, options: object, progress: RawProgress): Answer<RawGrid>;
   loadGrid(bytes: Uint8Array, name: string): Answer<RawGrid>;
   parseMesh(bytes: Uint8Array, format: string, name: string): Answer<ParsedMesh>;
   formatMesh(mesh: PolygonMeshInput, format: string): Answer<Uint8Array<ArrayBuffer>>;
+  analyze(mesh: PolygonMeshInput, options: object): Answer<RawDefects>;
   describe(mesh: PolygonMeshInput): Answer<MeshReport>;
   findSelfIntersections(mesh: PolygonMeshInput): Answer<SelfIntersections>;
   memory(): { heapBytes: number; usedBytes: number };

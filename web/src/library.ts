@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: MIT
 // The synchronous interface: the loaded module with its functions.
 import { call, type Health } from './call.js';
-import { checkBuildOptions, checkMesh, checkPolygonMesh } from './check-input.js';
+import {
+  checkAnalyzeOptions,
+  checkBuildOptions,
+  checkMesh,
+  checkPolygonMesh,
+} from './check-input.js';
+import { toDefects } from './defects.js';
 import { KdManifoldError } from './errors.js';
 import { Grid } from './grid.js';
 import type { RawGrid, RawModule } from './kdmanifold.js';
 import type {
+  AnalyzeOptions,
   BuildOptions,
+  MeshDefects,
   MeshFormat,
   MeshInput,
   MeshReport,
@@ -79,6 +87,16 @@ export class KdManifold {
     const bytes = bytesOf(content);
     const raw = call(this.#health, undefined, () => this.#raw.loadGrid(bytes, name));
     return Grid.of(raw, this.#registry, this.#health);
+  }
+
+  /**
+   * Finds what is wrong with a mesh of any kind: open edges, holes, faces that disagree, doubled and
+   * degenerate ones, parts inside out, with lists of all of them.
+   */
+  analyze(mesh: PolygonMeshInput, options: AnalyzeOptions = {}): MeshDefects {
+    const checked = checkAnalyzeOptions(options);
+    const input = checkPolygonMesh(mesh);
+    return toDefects(call(this.#health, undefined, () => this.#raw.analyze(input, checked)));
   }
 
   /** Counts what there is to be counted: parts, open edges, whether the mesh is 2-manifold. */

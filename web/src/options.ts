@@ -2,7 +2,7 @@
 // The options as a table: the checks, the defaults and the command line all read it. A new option
 // is one line here, one in the interface in types.ts (the compiler sees to that) and one in
 // wasm/module.h.
-import type { BuildOptions, ExtractOptions } from './types.js';
+import type { AnalyzeOptions, BuildOptions, ExtractOptions } from './types.js';
 
 /** @internal What is legal for one option. `help` completes the line of the command line's help. */
 export type OptionSpec =
@@ -90,4 +90,9 @@ export const extractOptions: Table<ExtractOptions> = {
     default: 30,
     help: 'normals differ where faces turn by more, 0 to 180 degrees',
   },
+};
+
+/** @internal Not on the command line, whose --stats looks for everything. */
+export const analyzeOptions: Table<AnalyzeOptions> = {
+  selfIntersections: { kind: 'flag', default: false, help: 'look for self-intersections' },
 };

@@ -238,7 +238,7 @@ export interface MeshReport {
   unreferencedVertices: number;
   /** Edges with one face. */
   boundaryEdges: number;
-  /** Connected parts of the boundary edges. */
+  /** Closed rounds of boundary edges; those that touch in a vertex count apart. */
   boundaryLoops: number;
   /** Edges with three or more faces. */
   nonManifoldEdges: number;
@@ -272,6 +272,87 @@ export interface SelfIntersections {
   pairs: number;
   /** The faces that are part of one, ascending: triangles first, then quads. */
   faces: Uint32Array<ArrayBuffer>;
+}
+
+/** What `KdManifold.analyze` looks for. */
+export interface AnalyzeOptions {
+  /**
+   * Look for self-intersections too (default false): takes several times as long as all the rest, and far
+   * longer where many faces lie on each other.
+   */
+  selfIntersections?: boolean;
+}
+
+/** Faces joined by edges, as far as they are not degenerate. */
+export interface MeshPart {
+  /** The lowest of its faces. */
+  firstFace: number;
+  faces: number;
+  boundaryLoops: number;
+  /** Every edge is used equally often in both directions: the part bounds something. */
+  closed: boolean;
+  /**
+   * Handles; null where the part is no oriented surface, because it has misoriented edges or edges with
+   * three or more faces. Boundary loops count as if each were closed by a disk.
+   */
+  genus: number | null;
+  area: number;
+  /** Signed, positive where normals point outwards; of closed parts, else 0. */
+  volume: number;
+  /** Among the closed parts that hold this closed part, the smallest (its number in `parts`); or null. */
+  inside: number | null;
+  /** Turned inwards within parts that are turned outwards: a hollow. */
+  cavity: boolean;
+  /** Turned inwards without being a cavity, or within parts that are turned inwards themselves. */
+  insideOut: boolean;
+}
+
+/**
+ * What is wrong with a mesh, with the faces, edges and vertices at fault. Vertices of exactly equal position
+ * count as one: in lists the lowest of them stands for all. Faces are numbered as given, triangles first,
+ * then quads. Faces and vertices ascend; edges, two vertices each, do so by the lower, then by the higher one.
+ * Faces with a repeated vertex are in `degenerateFaces` and play no part in any other list.
+ */
+export interface MeshDefects {
+  /** What `describe` says once vertices of equal position are joined: the counts. */
+  report: MeshReport;
+  /** There are faces, and every edge is used equally often in both directions, as `buildGrid` wants solids. */
+  balanced: boolean;
+  /** Edges with one face, two numbers each, in the order in which the face has them. */
+  boundaryEdges: Uint32Array<ArrayBuffer>;
+  /** Edges with three or more faces, two numbers each. */
+  nonManifoldEdges: Uint32Array<ArrayBuffer>;
+  /** Edges whose two faces run the same way along it, two numbers each. */
+  misorientedEdges: Uint32Array<ArrayBuffer>;
+  /**
+   * The vertices of each closed round of boundary edges, in the direction of the faces where these agree.
+   * Boundary edges that form none (they end on non-manifold edges) are left out.
+   */
+  boundaryLoops: Uint32Array<ArrayBuffer>[];
+  /** Vertices whose faces do not form one fan. */
+  nonManifoldVertices: Uint32Array<ArrayBuffer>;
+  /** Faces with a repeated vertex. */
+  degenerateFaces: Uint32Array<ArrayBuffer>;
+  /** Faces of different vertices that lie exactly on one line. */
+  zeroAreaFaces: Uint32Array<ArrayBuffer>;
+  /** Faces over the same vertices as a face before. */
+  duplicateFaces: Uint32Array<ArrayBuffer>;
+  /**
+   * Only if asked for: faces that cross or touch others where they share no vertex or edge, and those that
+   * lie on each other.
+   */
+  selfIntersectingFaces: Uint32Array<ArrayBuffer>;
+  /** The number of their pairs. */
+  selfIntersections: number;
+  /** One a face: number in `parts`; 0xffffffff for degenerate faces. */
+  partOf: Uint32Array<ArrayBuffer>;
+  /** In order of their first faces. */
+  parts: MeshPart[];
+  /**
+   * False: thousands of closed parts overlap, so that nobody has looked which lie in which; `inside` is then
+   * null, `cavity` and `insideOut` false for all.
+   */
+  nestingKnown: boolean;
 }
 
 /** The part of `Report` about the result. */

@@ -2,6 +2,7 @@
 // Everything. A mesh goes through read_mesh, build_grid and extract to write_mesh.
 #pragma once
 
+#include "kdmanifold/analyze.h"
 #include "kdmanifold/build.h"
 #include "kdmanifold/error.h"
 #include "kdmanifold/extract.h"

@@ -31,8 +31,8 @@ struct MeshReport {
   Index quads = 0;
   Index unreferenced_vertices = 0;
   Index boundary_edges = 0;               ///< edges with one face
-  Index boundary_loops = 0;               ///< connected parts of the boundary edges; where nothing
-                                          ///< else is wrong, each is one closed line
+  Index boundary_loops = 0;               ///< closed rounds of boundary edges; those that touch in
+                                          ///< a vertex count apart
   Index non_manifold_edges = 0;           ///< edges with three or more faces
   Index misoriented_edges = 0;            ///< edges whose two faces run the same way along it
   Index non_manifold_vertices = 0;        ///< vertices whose faces do not form one fan; the ends of

@@ -21,6 +21,9 @@ using Vec3 = Eigen::Vector3d;
 using Triangle = std::array<Index, 3>;
 using Quad = std::array<Index, 4>;
 
+/// The two vertices of an edge.
+using Edge = std::array<Index, 2>;
+
 /// An axis-aligned box; empty while `min` exceeds `max`.
 struct Box {
   Vec3 min = Vec3::Constant(1);

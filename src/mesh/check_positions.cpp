@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Whether coordinates can be computed with.
+#include "mesh/check_positions.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "kdmanifold/error.h"
+
+namespace kdm {
+namespace {
+
+// Squares of coordinates must stay finite.
+constexpr double kLargestCoordinate = 1e150;
+
+}  // namespace
+
+void check_positions(const Mesh& mesh) {
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    const Vec3& p = mesh.positions[i];
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!(std::abs(p[axis]) <= kLargestCoordinate)) {
+        throw Error(ErrorCode::kInvalidMesh,
+                    fmt::format("positions: vertex {} has {} coordinate {}, which is not a finite "
+                                "number of at most 1e150",
+                                i, "xyz"[axis], p[axis]));
+      }
+    }
+  }
+}
+
+}  // namespace kdm

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: MIT
+// Uses of edges are bucketed by their lower vertex; the short buckets are sorted by the higher one.
+#include "mesh/faults.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "kdmanifold/error.h"
+#include "mesh/check_indices.h"
+#include "mesh/disjoint_sets.h"
+#include "mesh/polygons.h"
+
+namespace kdm {
+namespace {
+
+// Items sorted into buckets by a key below `keys`: bucket k is [start[k], start[k + 1]).
+template <typename Item, typename KeyOf>
+std::vector<std::size_t> bucket_sort(std::vector<Item>& items, std::size_t keys, KeyOf key_of) {
+  std::vector<std::size_t> start(keys + 1, 0);
+  for (const Item& item : items) ++start[key_of(item) + 1];
+  std::partial_sum(start.begin(), start.end(), start.begin());
+  std::vector<Item> sorted(items.size());
+  std::vector<std::size_t> next(start.begin(), start.end() - 1);
+  for (const Item& item : items) sorted[next[key_of(item)]++] = item;
+  items.swap(sorted);
+  return start;
+}
+
+struct EdgeUse {
+  Index low, high;  // vertices
+  Index face;
+  std::uint8_t low_corner, high_corner;
+  bool upwards;  // from the low to the high vertex
+};
+
+class Inspector {
+ public:
+  explicit Inspector(const Mesh& mesh)
+      : faces_(mesh),
+        vertices_(mesh.positions.size()),
+        degenerate_(faces_.size()),
+        vertex_faults_(vertices_),
+        edges_of_(faces_.size()),
+        parts_(faces_.size()),
+        fans_(4 * std::size_t{faces_.size()}) {}
+
+  MeshFaults run() {
+    find_degenerate();
+    find_duplicates();
+    find_edges();
+    number_parts();
+    find_split_fans();
+    return std::move(faults_);
+  }
+
+ private:
+  // Corner k of a face.
+  static Index corner(Index face, Index k) { return 4 * face + k; }
+
+  void find_degenerate() {
+    for (Index face = 0; face < faces_.size(); ++face) {
+      const Index* v = faces_[face];
+      const Index n = faces_.corners(face);
+      for (Index i = 0; i < n; ++i) {
+        for (Index j = 0; j < i; ++j) degenerate_[face] |= v[i] == v[j];
+      }
+      if (degenerate_[face]) faults_.degenerate_faces.push_back(face);
+    }
+  }
+
+  void find_duplicates() {
+    struct Key {
+      Quad vertices;  // ascending
+      Index face;
+    };
+    std::vector<Key> keys;
+    keys.reserve(faces_.size());
+    for (Index face = 0; face < faces_.size(); ++face) {
+      if (degenerate_[face]) continue;
+      Key key = {{kNone, kNone, kNone, kNone}, face};
+      std::copy(faces_[face], faces_[face] + faces_.corners(face), key.vertices.begin());
+      std::sort(key.vertices.begin(), key.vertices.end());
+      keys.push_back(key);
+    }
+    const auto start = bucket_sort(keys, vertices_, [](const Key& key) { return key.vertices[0]; });
+    for (std::size_t v = 0; v < vertices_; ++v) {
+      std::sort(keys.data() + start[v], keys.data() + start[v + 1], [](const Key& a, const Key& b) {
+        return a.vertices != b.vertices ? a.vertices < b.vertices : a.face < b.face;
+      });
+      for (std::size_t i = start[v] + 1; i < start[v + 1]; ++i) {
+        if (keys[i].vertices == keys[i - 1].vertices) {
+          faults_.duplicate_faces.push_back(keys[i].face);
+        }
+      }
+    }
+    std::sort(faults_.duplicate_faces.begin(), faults_.duplicate_faces.end());
+  }
+
+  void find_edges() {
+    std::vector<EdgeUse> uses;
+    uses.reserve(4 * std::size_t{faces_.size()});
+    for (Index face = 0; face < faces_.size(); ++face) {
+      if (degenerate_[face]) continue;
+      const Index n = faces_.corners(face);
+      for (Index k = 0; k < n; ++k) {
+        const Index k2 = k + 1 == n ? 0 : k + 1;
+        const Index from = faces_[face][k];
+        const Index to = faces_[face][k2];
+        const auto c = static_cast<std::uint8_t>(k);
+        const auto c2 = static_cast<std::uint8_t>(k2);
+        uses.push_back(from < to ? EdgeUse{from, to, face, c, c2, true}
+                                 : EdgeUse{to, from, face, c2, c, false});
+      }
+    }
+    const auto start = bucket_sort(uses, vertices_, [](const EdgeUse& use) { return use.low; });
+    for (std::size_t v = 0; v < vertices_; ++v) {
+      std::sort(uses.data() + start[v], uses.data() + start[v + 1],
+                [](const EdgeUse& a, const EdgeUse& b) {
+                  return a.high != b.high ? a.high < b.high : a.face < b.face;
+                });
+      for (std::size_t i = start[v]; i < start[v + 1];) {
+        std::size_t end = i + 1;
+        while (end < start[v + 1] && uses[end].high == uses[i].high) ++end;
+        close_edge(&uses[i], end - i);
+        i = end;
+      }
+    }
+    for (BoundaryEdge& edge : faults_.boundary_edges) {
+      for (Index& fan : edge.fans) fan = fans_.find(fan);
+    }
+  }
+
+  // All uses of one edge.
+  void close_edge(const EdgeUse* uses, std::size_t count) {
+    const Edge ascending = {uses->low, uses->high};
+    std::uint8_t& found = edges_of_[uses->face].found;
+    ++edges_of_[uses->face].count;
+    ++faults_.edges;
+    std::size_t upwards = 0;
+    for (std::size_t i = 0; i < count; ++i) upwards += uses[i].upwards;
+    if (2 * upwards != count) found |= kUnbalanced;
+    if (count == 1) {
+      const Index low = corner(uses->face, uses->low_corner);
+      const Index high = corner(uses->face, uses->high_corner);
+      faults_.boundary_edges.push_back(
+          uses->upwards ? BoundaryEdge{ascending, {low, high}, uses->face}
+                        : BoundaryEdge{{uses->high, uses->low}, {high, low}, uses->face});
+    } else if (count == 2 && upwards != 1) {
+      found |= kMisoriented;
+      faults_.misoriented_edges.push_back(ascending);
+    } else if (count > 2) {
+      found |= kNonManifold;
+      faults_.non_manifold_edges.push_back(ascending);
+      vertex_faults_[uses->low] = vertex_faults_[uses->high] = true;
+    }
+    for (std::size_t i = 1; i < count; ++i) {
+      const EdgeUse& a = uses[i - 1];
+      const EdgeUse& b = uses[i];
+      parts_.join(a.face, b.face);
+      fans_.join(corner(a.face, a.low_corner), corner(b.face, b.low_corner));
+      fans_.join(corner(a.face, a.high_corner), corner(b.face, b.high_corner));
+    }
+  }
+
+  // A part's lowest face stands for it until now.
+  void number_parts() {
+    faults_.part_of.assign(faces_.size(), kNone);
+    for (Index face = 0; face < faces_.size(); ++face) {
+      if (degenerate_[face]) continue;
+      const Index first = parts_.find(face);
+      if (first == face) {
+        faults_.part_of[face] = static_cast<Index>(faults_.parts.size());
+        faults_.parts.push_back({.first_face = face});
+      }
+      faults_.part_of[face] = faults_.part_of[first];
+      PartTopology& part = faults_.parts[faults_.part_of[face]];
+      const Edges& edges = edges_of_[face];
+      ++part.faces;
+      part.edges += edges.count;
+      part.manifold = part.manifold && (edges.found & kNonManifold) == 0;
+      part.balanced = part.balanced && (edges.found & kUnbalanced) == 0;
+      part.agreeing = part.agreeing && (edges.found & kMisoriented) == 0;
+    }
+  }
+
+  // The corners at a vertex that edges join are a fan; a second one is a fault.
+  void find_split_fans() {
+    std::vector<Index> fan_of(vertices_, kNone);
+    for (Index face = 0; face < faces_.size(); ++face) {
+      if (degenerate_[face]) continue;
+      for (Index k = 0; k < faces_.corners(face); ++k) {
+        const Index v = faces_[face][k];
+        const Index fan = fans_.find(corner(face, k));
+        if (fan == corner(face, k)) ++faults_.parts[faults_.part_of[face]].fans;
+        if (fan_of[v] == kNone) fan_of[v] = fan;
+        if (fan_of[v] != fan) vertex_faults_[v] = true;
+      }
+    }
+    for (Index v = 0; v < vertices_; ++v) {
+      faults_.vertices += fan_of[v] != kNone;
+      if (vertex_faults_[v]) faults_.non_manifold_vertices.push_back(v);
+    }
+  }
+
+  // What was found on the edges that a face is the first to use.
+  struct Edges {
+    std::uint8_t count = 0;
+    std::uint8_t found = 0;
+  };
+  static constexpr std::uint8_t kUnbalanced = 1, kMisoriented = 2, kNonManifold = 4;
+
+  Polygons faces_;
+  std::size_t vertices_;
+  std::vector<char> degenerate_;
+  std::vector<char> vertex_faults_;
+  std::vector<Edges> edges_of_;
+  DisjointSets parts_;
+  DisjointSets fans_;
+  MeshFaults faults_;
+};
+
+}  // namespace
+
+MeshFaults find_faults(const Mesh& mesh) {
+  const std::size_t faces = mesh.triangles.size() + mesh.quads.size();
+  if (faces >= (std::size_t{1} << 29)) {
+    throw Error(ErrorCode::kInvalidMesh, fmt::format("{} faces; 2^29 is the limit", faces));
+  }
+  check_indices(mesh);
+  return Inspector(mesh).run();
+}
+
+}  // namespace kdm
