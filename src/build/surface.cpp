@@ -12,6 +12,7 @@
 #include "mesh/boundary_loops.h"
 #include "mesh/cancel.h"
 #include "mesh/check_positions.h"
+#include "mesh/orient.h"
 #include "mesh/weld.h"
 
 namespace kdm {
@@ -98,6 +99,24 @@ Index cancel_opposite_faces(Faces& faces, std::size_t points) {
   return result;
 }
 
+// Turns neighbours to agree and parts to look outwards, and leaves one of each set of copies.
+void turn_outwards(Faces& faces, const std::vector<Vec3>& points, InputReport& report) {
+  const Orientation orientation = orient(faces.triangles, points);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < faces.triangles.size(); ++i) {
+    if (orientation.copy_of[i] != kNone) continue;
+    Triangle t = faces.triangles[i];
+    if (orientation.flip[i] != 0) std::swap(t[1], t[2]);
+    faces.triangles[kept] = t;
+    faces.source[kept] = faces.source[i];
+    ++kept;
+  }
+  report.turned_faces = orientation.flipped_triangles;
+  report.duplicate_faces = orientation.copies;
+  faces.triangles.resize(kept);
+  faces.source.resize(kept);
+}
+
 // Six times the enclosed volume, about the middle of the root cell.
 double signed_volume(const std::vector<LatticeTriangle>& triangles) {
   constexpr double kMiddle = kLatticeSize / 2.0;
@@ -177,21 +196,25 @@ Surface prepare_surface(const Mesh& mesh, InsideRule inside) {
   surface.topology = build_topology(faces.triangles, static_cast<Index>(points.size()));
   surface.report.closed = surface.topology.closed();
   surface.sheet = inside == InsideRule::kSheet;
-  surface.repair = inside == InsideRule::kRepair && !surface.report.closed;
-  if (!surface.report.closed && !surface.has_rims()) {
+  surface.report.boundary_edges = surface.topology.boundary_edges;
+  surface.report.non_manifold_edges = surface.topology.non_manifold_edges;
+  surface.report.components = surface.topology.components;
+  if (!surface.report.closed && inside == InsideRule::kRepair) {
+    turn_outwards(faces, points, surface.report);
+    surface.topology = build_topology(faces.triangles, static_cast<Index>(points.size()));
+    surface.repair = !surface.topology.closed();
+  } else if (!surface.report.closed && !surface.sheet) {
     throw_not_closed(faces, points, surface.topology);
   }
   if (surface.has_rims()) pair_straightest(faces.triangles, points, surface.topology);
   surface.report.boundary_loops = count_boundary_loops(surface.topology.twin);
-  surface.report.boundary_edges = surface.topology.boundary_edges;
-  surface.report.non_manifold_edges = surface.topology.non_manifold_edges;
-  surface.report.components = surface.topology.components;
-  if (!surface.has_rims())
+  if (!surface.has_rims()) {
     surface.report.cancelled_faces = cancel_opposite_faces(faces, points.size());
+  }
   if (surface.report.cancelled_faces > 0) {
-    kept = faces.triangles.size();
     surface.topology = build_topology(faces.triangles, static_cast<Index>(points.size()));
   }
+  kept = faces.triangles.size();
 
   surface.lattice = lattice_over(bounds);
   surface.diagonal = (bounds.max - bounds.min).norm();
@@ -206,7 +229,7 @@ Surface prepare_surface(const Mesh& mesh, InsideRule inside) {
   for (const Triangle& t : faces.triangles) {
     surface.triangles.push_back({rounded[t[0]], rounded[t[1]], rounded[t[2]]});
   }
-  surface.report.flipped = !surface.sheet && signed_volume(surface.triangles) < 0;
+  surface.report.flipped = !surface.has_rims() && signed_volume(surface.triangles) < 0;
   if (surface.report.flipped) turn_around(faces, surface.topology, surface.triangles);
 
   surface.planes.reserve(kept);
@@ -225,8 +248,8 @@ Surface prepare_surface(const Mesh& mesh, InsideRule inside) {
   surface.corners = std::move(faces.triangles);
   surface.source_faces = std::move(faces.source);
   surface.report.vertices = static_cast<Index>(points.size());
-  surface.report.triangles =
-      static_cast<Index>(kept) + repeated_corners + surface.report.cancelled_faces;
+  surface.report.triangles = static_cast<Index>(kept) + repeated_corners +
+                             surface.report.cancelled_faces + surface.report.duplicate_faces;
   surface.report.degenerate_faces = repeated_corners + without_area;
   surface.report.lattice_step = surface.lattice.step;
   return surface;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
-// A binary tree of bounding boxes, for pairs of things whose boxes meet.
+// A binary tree of bounding boxes, for pairs of things whose boxes meet and things along a ray.
 #pragma once
 
+#include <algorithm>
+#include <limits>
+#include <utility>
 #include <vector>
 
 #include "kdmanifold/types.h"
@@ -24,6 +27,15 @@ class BoxTree {
     if (!nodes_.empty()) below(0, box, visit);
   }
 
+  /// Whether `test(i)` holds for one of the boxes that the ray meets or touches; stops at the
+  /// first that is found, near ones first. No component of `direction` may be 0.
+  template <typename Test>
+  bool any_along(const Vec3& origin, const Vec3& direction, const Test& test) const {
+    const Vec3 inverse = direction.cwiseInverse();
+    return !nodes_.empty() && entry(nodes_[0].box, origin, inverse) < kMissed &&
+           any_below(0, origin, inverse, test);
+  }
+
  private:
   struct Node {
     Box box;
@@ -37,6 +49,45 @@ class BoxTree {
 
   static bool meet(const Box& a, const Box& b) {
     return (a.min.array() <= b.max.array()).all() && (b.min.array() <= a.max.array()).all();
+  }
+
+  static constexpr double kMissed = std::numeric_limits<double>::infinity();
+
+  // Where the ray comes in, in lengths of its direction. Distances to the sides are rounded: the
+  // further one is taken a little further.
+  static double entry(const Box& box, const Vec3& origin, const Vec3& inverse) {
+    constexpr double kOutwards = 1 + 1e-15;
+    double nearest = 0;
+    double furthest = kMissed;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double a = (box.min[axis] - origin[axis]) * inverse[axis];
+      const double b = (box.max[axis] - origin[axis]) * inverse[axis];
+      nearest = std::max(nearest, std::min(a, b));
+      furthest = std::min(furthest, std::max(a, b) * kOutwards);
+    }
+    return nearest <= furthest ? nearest : kMissed;
+  }
+
+  template <typename Test>
+  bool any_below(Index node, const Vec3& origin, const Vec3& inverse, const Test& test) const {
+    const Node& n = nodes_[node];
+    if (n.right != 0) {
+      Index near = node + 1;
+      Index far = n.right;
+      double near_entry = entry(nodes_[near].box, origin, inverse);
+      double far_entry = entry(nodes_[far].box, origin, inverse);
+      if (far_entry < near_entry) {
+        std::swap(near, far);
+        std::swap(near_entry, far_entry);
+      }
+      return (near_entry < kMissed && any_below(near, origin, inverse, test)) ||
+             (far_entry < kMissed && any_below(far, origin, inverse, test));
+    }
+    for (Index i = n.begin; i < n.end; ++i) {
+      const Index thing = order_[i];
+      if (entry(boxes_[thing], origin, inverse) < kMissed && test(thing)) return true;
+    }
+    return false;
   }
 
   template <typename Visit>

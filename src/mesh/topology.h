@@ -6,11 +6,9 @@
 #include <vector>
 
 #include "kdmanifold/types.h"
+#include "mesh/edge_sides.h"
 
 namespace kdm {
-
-/// The corner after corner `i`.
-constexpr int next_corner(int i) { return i == 2 ? 0 : i + 1; }
 
 /// Neighbours of a triangle mesh. Side i of triangle t, from corner i to corner i+1, is 3t+i.
 struct Topology {

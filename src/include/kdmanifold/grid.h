@@ -21,6 +21,9 @@ struct InputReport {
   Index non_manifold_edges = 0;  ///< edges with three or more faces
   Index degenerate_faces = 0;    ///< faces without area on the lattice; they take no part
   Index cancelled_faces = 0;     ///< faces that lie back to back in pairs; they take no part
+  Index duplicate_faces = 0;     ///< `kRepair`: further faces over the same corners; they take no
+                                 ///< part
+  Index turned_faces = 0;        ///< `kRepair`: faces that were turned to agree and look outwards
   Index components = 0;          ///< parts joined by edges
   bool flipped = false;          ///< the input was inside out and has been turned
   double lattice_step = 0;  ///< what input positions were rounded to for decisions, model units

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// Triangles over the same three corners.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <span>
+#include <vector>
+
+#include "kdmanifold/types.h"
+
+namespace kdm {
+
+/// A triangle from its lowest corner on, turned so that the second corner is lower than the third.
+struct SortedCorners {
+  Index second;
+  Index third;
+  bool turned;
+  Index triangle;
+};
+
+/// Calls `visit(group)` for the triangles over each set of three corners, in order of their
+/// numbers. Linear time for meshes of bounded valence: triangles are bucketed by their lowest
+/// corner, the short buckets sorted.
+template <typename Visit>
+void for_each_corner_set(std::span<const Triangle> triangles, Index points, const Visit& visit) {
+  const auto lowest = [](const Triangle& t) {
+    return static_cast<int>(std::min_element(t.begin(), t.end()) - t.begin());
+  };
+  std::vector<Index> bucket(static_cast<std::size_t>(points) + 1, 0);
+  for (const Triangle& t : triangles) ++bucket[t[lowest(t)] + 1];
+  std::partial_sum(bucket.begin(), bucket.end(), bucket.begin());
+  std::vector<SortedCorners> keys(triangles.size());
+  std::vector<Index> fill(bucket.begin(), bucket.end() - 1);
+  for (Index i = 0; i < triangles.size(); ++i) {
+    const Triangle& t = triangles[i];
+    const int k = lowest(t);
+    const Index b = t[(k + 1) % 3];
+    const Index c = t[(k + 2) % 3];
+    keys[fill[t[k]]++] = {std::min(b, c), std::max(b, c), b > c, i};
+  }
+  for (Index p = 0; p < points; ++p) {
+    const auto end = keys.begin() + bucket[p + 1];
+    std::sort(keys.begin() + bucket[p], end, [](const SortedCorners& a, const SortedCorners& b) {
+      return std::array{a.second, a.third, a.triangle} < std::array{b.second, b.third, b.triangle};
+    });
+    for (auto first = keys.begin() + bucket[p]; first != end;) {
+      auto last = first;
+      while (last != end && last->second == first->second && last->third == first->third) ++last;
+      visit(std::span<const SortedCorners>(&*first, static_cast<std::size_t>(last - first)));
+      first = last;
+    }
+  }
+}
+
+}  // namespace kdm
