@@ -28,6 +28,8 @@ inline constexpr std::array<Named<Pairing>, 4> kPairings = {{{"trace", Pairing::
                                                              {"hermite", Pairing::kHermite},
                                                              {"inside", Pairing::kInside},
                                                              {"outside", Pairing::kOutside}}};
+inline constexpr std::array<Named<Parts>, 3> kParts = {
+    {{"all", Parts::kAll}, {"outer", Parts::kOuter}, {"largest", Parts::kLargest}}};
 inline constexpr std::array<Named<Strict>, 3> kStrict = {
     {{"off", Strict::kOff}, {"manifold", Strict::kManifold}, {"embedded", Strict::kEmbedded}}};
 inline constexpr std::array<Named<VertexPosition>, 2> kPositions = {
@@ -44,6 +46,7 @@ inline BuildOptions to_build_options(const val& from) {
   read(from, "relativeTolerance", options.relative_tolerance);
   read(from, "depth", options.depth);
   read(from, "inside", options.inside, kInsideRules);
+  read(from, "windingThreshold", options.winding_threshold);
   read(from, "pairing", options.pairing, kPairings);
   return options;
 }
@@ -56,6 +59,7 @@ inline ExtractOptions to_extract_options(const val& from) {
   read(from, "unfold", options.unfold);
   read(from, "linkError", options.link_error);
   read(from, "strict", options.strict, kStrict);
+  read(from, "parts", options.parts, kParts);
   read(from, "normals", options.normals);
   read(from, "creaseAngle", options.crease_angle);
   return options;
@@ -84,6 +88,8 @@ inline val from_input_report(const InputReport& report) {
   to.set("nonManifoldEdges", report.non_manifold_edges);
   to.set("degenerateFaces", report.degenerate_faces);
   to.set("cancelledFaces", report.cancelled_faces);
+  to.set("duplicateFaces", report.duplicate_faces);
+  to.set("turnedFaces", report.turned_faces);
   to.set("components", report.components);
   to.set("flipped", report.flipped);
   to.set("latticeStep", report.lattice_step);
@@ -101,6 +107,7 @@ inline val from_grid_stats(const GridStats& stats) {
   to.set("unresolvedLeaves", stats.unresolved_leaves);
   to.set("ambiguousFaces", stats.ambiguous_faces);
   to.set("guessedFaces", stats.guessed_faces);
+  to.set("inventedHits", stats.invented_hits);
   return to;
 }
 
@@ -199,6 +206,9 @@ inline val extract(const Grid& grid, val options, val progress) {
     report.set("linkVertices", mesh.report.link_vertices);
     report.set("flippedEdges", mesh.report.flipped_edges);
     report.set("refinedHits", mesh.report.refined_hits);
+    report.set("droppedParts", mesh.report.dropped_parts);
+    report.set("droppedCrumbs", mesh.report.dropped_crumbs);
+    report.set("inventedArea", mesh.report.invented_area);
     const std::optional<std::uint64_t>& crossings = mesh.report.crossings;
     report.set("crossings", crossings ? val(static_cast<double>(*crossings)) : val::null());
     report.set("boundaryLoops", mesh.report.boundary_loops);

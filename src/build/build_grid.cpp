@@ -31,6 +31,11 @@ void check_options(const BuildOptions& options) {
   };
   check("tolerance", options.tolerance);
   check("relative_tolerance", options.relative_tolerance);
+  if (!(options.winding_threshold > 0 && options.winding_threshold < 1)) {
+    throw Error(ErrorCode::kInvalidOption,
+                fmt::format("winding_threshold is {}; it must be between 0 and 1",
+                            options.winding_threshold));
+  }
 }
 
 int depth_limit(const BuildOptions& options) {
@@ -84,6 +89,7 @@ Grid build_grid(const Mesh& mesh, const BuildOptions& options, const Progress& p
   grid->stats.cells = static_cast<Index>(grid->cells.size());
   grid->stats.leaves = static_cast<Index>(grid->cells.size() - grid->cells.size() / 2);
   grid->stats.hits = static_cast<Index>(grid->hits.size());
+  grid->stats.invented_hits = count_invented_hits(*grid);
   grid->stats.topology_resolved =
       grid->stats.topology_resolved && grid->stats.guessed_faces == 0 && !surface.repair;
   grid->stats.bytes = grid->bytes();

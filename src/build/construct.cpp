@@ -18,7 +18,6 @@
 namespace kdm {
 namespace {
 
-constexpr double kWindingThreshold = 0.5;
 constexpr std::uint32_t kProgressInterval = 4096;  // cells between two calls
 
 /// What a cell hands down. Corners are numbered by bits: 1 for x, 2 for y, 4 for z at the high end.
@@ -44,7 +43,7 @@ class Construction {
         grid_(grid),
         rule_(make_split_rule(surface, options, tolerance, depth)),
         lists_(surface.triangles) {
-    if (surface.repair) repair_.emplace(surface, kWindingThreshold, tolerance);
+    if (surface.repair) repair_.emplace(surface, options.winding_threshold, tolerance);
   }
 
   void run() {

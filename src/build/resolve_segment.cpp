@@ -14,6 +14,9 @@ constexpr LinePosition position_of(std::int32_t coordinate) {
   return static_cast<LinePosition>(coordinate) << kFractionBits;
 }
 
+// The last position below a coordinate, which may be the root's upper end.
+constexpr LinePosition last_below(std::int32_t coordinate) { return position_of(coordinate) - 1; }
+
 }  // namespace
 
 bool consistent(const Segment& segment, const std::vector<Crossing>& crossings) {
@@ -59,7 +62,7 @@ void SegmentResolver::resolve(const Segment& segment, std::vector<Crossing>& cro
     inside = cluster.inside_after;
     last = crossings[cluster.end - 1].position;
   }
-  invent_before(position_of(segment.high), segment.inside_high);
+  invent_before(last_below(segment.high), segment.inside_high);
 }
 
 // The last cluster must end as the segment does where there is no room behind it.
@@ -79,13 +82,13 @@ void SegmentResolver::find_clusters(const Segment& segment,
     cluster.inside_before = inside(segment, begin - std::min(0.25, 0.5 * gap));
     last = crossings[next - 1].position;
     const LinePosition end =
-        next < crossings.size() ? crossings[next].position : position_of(segment.high);
+        next < crossings.size() ? crossings[next].position : last_below(segment.high);
     const double room = (end - last) * kFractionUnit;
     cluster.inside_after = inside(segment, real_position(last) + std::min(0.25, 0.5 * room));
     clusters_.push_back(cluster);
     first = next;
   }
-  if (!clusters_.empty() && position_of(segment.high) - last < kLeastGap) {
+  if (!clusters_.empty() && last_below(segment.high) - last < kLeastGap) {
     clusters_.back().inside_after = segment.inside_high;
   }
 }

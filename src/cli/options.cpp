@@ -38,6 +38,9 @@ constexpr Word<Pairing> kPairings[] = {{"trace", Pairing::kTrace},
                                        {"inside", Pairing::kInside},
                                        {"outside", Pairing::kOutside}};
 
+constexpr Word<Parts> kParts[] = {
+    {"all", Parts::kAll}, {"outer", Parts::kOuter}, {"largest", Parts::kLargest}};
+
 constexpr Word<VertexPosition> kPositions[] = {{"constrained", VertexPosition::kConstrained},
                                                {"projection", VertexPosition::kProjection}};
 
@@ -132,6 +135,8 @@ std::vector<ValueOption> build_options(Command& command) {
       whole_number("--depth", 1, 60, command.build.depth, "limit of the tree's depth"),
       choice("--inside", kInsideRules, command.build.inside,
              "which winding numbers are inside; sheet: none, open surfaces stay open"),
+      not_negative("--winding-threshold", "W", command.build.winding_threshold,
+                   "repair: winding numbers above this are inside, between 0 and 1 (0.5)", 1),
       choice("--pairing", kPairings, command.build.pairing,
              "how hits are linked where a face has more than two"),
   };
@@ -139,6 +144,8 @@ std::vector<ValueOption> build_options(Command& command) {
 
 std::vector<ValueOption> extract_options(Command& command) {
   return {
+      choice("--parts", kParts, command.extract.parts,
+             "which parts are kept; outer: no cavities, nothing within others"),
       choice("--strict", kStrict, command.extract.strict,
              "what the index mesh must be; embedded: nothing crosses, 32-bit coordinates"),
       not_negative("--link-error", "E", command.extract.link_error,

@@ -20,6 +20,8 @@ Json input_json(const InputReport& input) {
           {"nonManifoldEdges", input.non_manifold_edges},
           {"degenerateFaces", input.degenerate_faces},
           {"cancelledFaces", input.cancelled_faces},
+          {"duplicateFaces", input.duplicate_faces},
+          {"turnedFaces", input.turned_faces},
           {"components", input.components},
           {"flipped", input.flipped},
           {"latticeStep", input.lattice_step}};
@@ -85,7 +87,8 @@ Json grid_json(const GridStats& grid) {
           {"topologyResolved", grid.topology_resolved},
           {"unresolvedLeaves", grid.unresolved_leaves},
           {"ambiguousFaces", grid.ambiguous_faces},
-          {"guessedFaces", grid.guessed_faces}};
+          {"guessedFaces", grid.guessed_faces},
+          {"inventedHits", grid.invented_hits}};
 }
 
 Json output_json(const MeshReport& output, const ExtractReport& extracted) {
@@ -106,6 +109,9 @@ Json output_json(const MeshReport& output, const ExtractReport& extracted) {
           {"linkVertices", extracted.link_vertices},
           {"flippedEdges", extracted.flipped_edges},
           {"refinedHits", extracted.refined_hits},
+          {"droppedParts", extracted.dropped_parts},
+          {"droppedCrumbs", extracted.dropped_crumbs},
+          {"inventedArea", extracted.invented_area},
           {"crossings", extracted.crossings ? Json(*extracted.crossings) : Json()}};
 }
 
@@ -219,6 +225,18 @@ std::string input_text(const RunReport& report, const Command& command) {
   return lines;
 }
 
+// What had to be done to surfaces that are not closed and consistently oriented.
+std::string repair_text(const RunReport& report) {
+  const InputReport& input = report.input;
+  if (input.turned_faces + input.duplicate_faces + report.grid.invented_hits == 0) return "";
+  const double area = report.output.area;
+  return fmt::format(
+      "repair   {} faces turned, {} doubled ones left out; {:.1f} % of the area closes holes, {} "
+      "crumbs dropped\n",
+      input.turned_faces, input.duplicate_faces,
+      area > 0 ? 100 * report.extracted.invented_area / area : 0, report.extracted.dropped_crumbs);
+}
+
 std::string result_text(const RunReport& report, const Command& command) {
   const GridStats& grid = report.grid;
   const MeshReport& output = report.output;
@@ -231,6 +249,7 @@ std::string result_text(const RunReport& report, const Command& command) {
                       command.output, command.output.empty() ? "" : ": ", output.vertices,
                       faces_text(output.triangles, output.quads), output.components,
                       output.euler_characteristic, kind_text(output, report.extracted, sheet));
+  text += repair_text(report);
   if (command.check) text += check_text(output, report.self_intersections, sheet);
   return text;
 }

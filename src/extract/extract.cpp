@@ -11,6 +11,7 @@
 #include "extract/dual_mesh.h"
 #include "extract/embed.h"
 #include "extract/emit.h"
+#include "extract/keep_parts.h"
 #include "extract/normals.h"
 #include "extract/place.h"
 #include "extract/refine.h"
@@ -163,6 +164,12 @@ ExtractedMesh extract(const Grid& handle, const ExtractOptions& options,
   if (options.normals) normals = corner_normals(grid, mesh, crease);
   static_cast<Mesh&>(out) =
       emit(grid, mesh, normals, options.quads, options.strict == Strict::kEmbedded);
+  if (!grid.sheet) {
+    const KeptParts kept = keep_parts(options.parts, grid.tolerance * grid.lattice.step, out);
+    out.report.dropped_parts = kept.dropped;
+    out.report.dropped_crumbs = kept.crumbs;
+    out.report.invented_area = kept.invented_area;
+  }
   report(progress, 1.0, "faces");
   return out;
 } catch (const std::bad_alloc&) {

@@ -37,7 +37,8 @@ namespace {
 // where there are others, for the surface counts for more than what closes it.
 template <typename Visit>
 void for_each_plane(const GridData& grid, std::span<const Index> hits, const Visit& visit) {
-  const bool all = std::all_of(hits.begin(), hits.end(), [&](Index h) { return grid.invented(h); });
+  const bool all = grid.stats.invented_hits == 0 ||
+                   std::all_of(hits.begin(), hits.end(), [&](Index h) { return grid.invented(h); });
   for (const Index h : hits) {
     if (all || !grid.invented(h)) visit(grid.plane_of(h));
   }

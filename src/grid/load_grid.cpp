@@ -45,6 +45,7 @@ class GridReader {
     grid_.stats.cells = static_cast<Index>(grid_.cells.size());
     grid_.stats.leaves = static_cast<Index>(grid_.cells.size() - grid_.cells.size() / 2);
     grid_.stats.hits = static_cast<Index>(grid_.hits.size());
+    grid_.stats.invented_hits = count_invented_hits(grid_);
     grid_.stats.bytes = grid_.bytes();
   }
 
@@ -68,7 +69,8 @@ class GridReader {
     InputReport& input = grid_.input;
     for (Index* count :
          {&input.vertices, &input.triangles, &input.boundary_edges, &input.non_manifold_edges,
-          &input.degenerate_faces, &input.cancelled_faces, &input.components,
+          &input.boundary_loops, &input.degenerate_faces, &input.cancelled_faces,
+          &input.duplicate_faces, &input.turned_faces, &input.components,
           &grid_.stats.unresolved_leaves, &grid_.stats.guessed_faces}) {
       *count = take_index(kAnyIndex, "a count of the report");
     }
@@ -82,7 +84,6 @@ class GridReader {
     input.lattice_step = grid_.lattice.step;
     grid_.stats.topology_resolved = (flags & format::kTopologyResolved) != 0;
     grid_.sheet = (flags & format::kSheet) != 0;
-    if (grid_.sheet) input.boundary_loops = take_index(kAnyIndex, "the number of boundary loops");
   }
 
   void read_cells(Index splits) {

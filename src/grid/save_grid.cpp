@@ -51,7 +51,8 @@ class GridWriter {
     const InputReport& input = grid_.input;
     for (const Index count :
          {input.vertices, input.triangles, input.boundary_edges, input.non_manifold_edges,
-          input.degenerate_faces, input.cancelled_faces, input.components,
+          input.boundary_loops, input.degenerate_faces, input.cancelled_faces,
+          input.duplicate_faces, input.turned_faces, input.components,
           grid_.stats.unresolved_leaves, grid_.stats.guessed_faces}) {
       append_varint(out_, count);
     }
@@ -60,7 +61,6 @@ class GridWriter {
                   (input.closed ? format::kClosed : 0) | (input.flipped ? format::kFlipped : 0) |
                   (grid_.stats.topology_resolved ? format::kTopologyResolved : 0) |
                   (grid_.sheet ? format::kSheet : 0)));
-    if (grid_.sheet) append_varint(out_, input.boundary_loops);
   }
 
   // Keeps account of what the reader knows: `pending` are the cells known to be split, of which

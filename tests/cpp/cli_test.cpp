@@ -119,14 +119,14 @@ TEST_F(Cli, HelpListsTheOptions) {
          ++it) {
       options.insert(it->str());
     }
-    EXPECT_EQ(
-        options,
-        (std::set<std::string>{
-            "--check",     "--crease-angle", "--depth",     "--help",      "--inside",
-            "--json",      "--link-error",   "--no-strict", "--no-unfold", "--normals",
-            "--output",    "--pairing",      "--position",  "--quads",     "--relative-tolerance",
-            "--save-grid", "--split-error",  "--stats",     "--strategy",  "--strict",
-            "--tolerance", "--version"}));
+    EXPECT_EQ(options,
+              (std::set<std::string>{
+                  "--check",     "--crease-angle", "--depth",      "--help",
+                  "--inside",    "--json",         "--link-error", "--no-strict",
+                  "--no-unfold", "--normals",      "--output",     "--pairing",
+                  "--parts",     "--position",     "--quads",      "--relative-tolerance",
+                  "--save-grid", "--split-error",  "--stats",      "--strategy",
+                  "--strict",    "--tolerance",    "--version",    "--winding-threshold"}));
     EXPECT_NE(outcome.out.find("adaptive|octree|feature|median|uniform"), std::string::npos);
   }
 }
@@ -170,17 +170,35 @@ TEST_F(Cli, SameInputSameBytes) {
 TEST_F(Cli, ReportHasTheDocumentedKeys) {
   const Json json = report("cube.obj -o out.ply --check" + kCoarse);
   EXPECT_EQ(keys(json), (Names{"input", "grid", "output", "check", "seconds", "peakBytes"}));
-  EXPECT_EQ(keys(json["input"]), (Names{"vertices", "triangles", "closed", "boundaryEdges",
-                                        "boundaryLoops", "nonManifoldEdges", "degenerateFaces",
-                                        "cancelledFaces", "components", "flipped", "latticeStep"}));
+  EXPECT_EQ(keys(json["input"]),
+            (Names{"vertices", "triangles", "closed", "boundaryEdges", "boundaryLoops",
+                   "nonManifoldEdges", "degenerateFaces", "cancelledFaces", "duplicateFaces",
+                   "turnedFaces", "components", "flipped", "latticeStep"}));
   EXPECT_EQ(keys(json["grid"]),
             (Names{"cells", "leaves", "hits", "depth", "bytes", "topologyResolved",
-                   "unresolvedLeaves", "ambiguousFaces", "guessedFaces"}));
-  EXPECT_EQ(keys(json["output"]),
-            (Names{"vertices", "triangles", "quads", "components", "eulerCharacteristic",
-                   "twoManifold", "manifold", "closed", "boundaryLoops", "volume", "area",
-                   "droppedPillows", "insertedVertices", "splitVertices", "linkVertices",
-                   "flippedEdges", "refinedHits", "crossings", "selfIntersections"}));
+                   "unresolvedLeaves", "ambiguousFaces", "guessedFaces", "inventedHits"}));
+  EXPECT_EQ(keys(json["output"]), (Names{"vertices",
+                                         "triangles",
+                                         "quads",
+                                         "components",
+                                         "eulerCharacteristic",
+                                         "twoManifold",
+                                         "manifold",
+                                         "closed",
+                                         "boundaryLoops",
+                                         "volume",
+                                         "area",
+                                         "droppedPillows",
+                                         "insertedVertices",
+                                         "splitVertices",
+                                         "linkVertices",
+                                         "flippedEdges",
+                                         "refinedHits",
+                                         "droppedParts",
+                                         "droppedCrumbs",
+                                         "inventedArea",
+                                         "crossings",
+                                         "selfIntersections"}));
   EXPECT_EQ(
       keys(json["check"]),
       (Names{"twoManifold", "manifold", "closed", "boundaryEdges", "nonManifoldEdges",
@@ -321,7 +339,7 @@ TEST_F(Cli, StatsDescribeTheInput) {
   const Json alone = report("cube.obj --stats")["input"];
   for (const auto& item : alone.items()) EXPECT_EQ(item.value(), both["input"][item.key()]);
 
-  complaint("open.obj --stats -o other.obj");
+  complaint("open.obj --stats -o other.obj --inside positive");
   complaint("missing.obj --stats");
   EXPECT_EQ(complaint("cube.kdgrid --stats"), "--stats: cube.kdgrid is a grid, which has no faces");
 }

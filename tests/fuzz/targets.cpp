@@ -92,25 +92,29 @@ void build_from_bytes(const std::uint8_t* bytes, std::size_t size) {
   if (size < 4 || size > kMaxSize) return;
   BuildOptions options;
   options.strategy = static_cast<SplitStrategy>(bytes[0] % 5);
-  options.inside = static_cast<InsideRule>(bytes[0] / 5 % 4);
-  options.pairing = static_cast<Pairing>(bytes[0] / 20 % 4);
+  options.inside = static_cast<InsideRule>(bytes[0] / 5 % 5);
+  options.pairing = static_cast<Pairing>(bytes[0] / 25 % 4);
   options.depth = 1 + bytes[1] % (options.strategy == SplitStrategy::kMedian ? 60 : 12);
   options.relative_tolerance = bytes[3] / 1024.0;
   const ExtractOptions extraction{.quads = (bytes[2] & 1) != 0,
                                   .split_error = bytes[2] / 2 / 1024.0};
   const bool sheet = options.inside == InsideRule::kSheet;
   Mesh input = shapes::mesh_from_bytes(bytes + 4, size - 4);
-  if (sheet) input = torn(std::move(input), bytes[3]);
+  const bool open = sheet || options.inside == InsideRule::kRepair;
+  if (open) input = torn(std::move(input), bytes[3]);
   const MeshDefects defects = analyze(input, {.self_intersections = true});
-  demand(sheet || defects.balanced || defects.parts.empty(), "tetrahedra are closed");
+  demand(open || defects.balanced || defects.parts.empty(), "tetrahedra are closed");
   demand(!defects.balanced || defects.boundary_loops.empty(), "closed meshes have no boundary");
   Grid grid;
   try {
     grid = build_grid(input, options);
   } catch (const Error& error) {
     // Tetrahedra may cancel or shrink to nothing; open they never are.
-    const bool nothing = sheet ? input.triangles.empty() : check::check_mesh(input).volume == 0;
-    demand(error.code() == ErrorCode::kInvalidMesh && nothing, error.what());
+    const bool nothing = open ? input.triangles.empty() : check::check_mesh(input).volume == 0;
+    const bool repair = options.inside == InsideRule::kRepair;
+    demand((error.code() == ErrorCode::kInvalidMesh && (nothing || repair)) ||
+               (error.code() == ErrorCode::kNotClosed && repair),
+           error.what());
     return;
   }
   validate(grid.data());

@@ -210,6 +210,8 @@ test('a grid describes itself and its input', () => {
     nonManifoldEdges: 0,
     degenerateFaces: 0,
     cancelledFaces: 0,
+    duplicateFaces: 0,
+    turnedFaces: 0,
     components: 1,
     flipped: false,
   });

@@ -98,6 +98,9 @@ function outputOf(output: NonNullable<CliReport['result']>['output']): object {
     linkVertices: output.linkVertices,
     flippedEdges: output.flippedEdges,
     refinedHits: output.refinedHits,
+    droppedParts: output.droppedParts,
+    droppedCrumbs: output.droppedCrumbs,
+    inventedArea: output.inventedArea,
     crossings: output.crossings,
     selfIntersections: output.selfIntersections,
   };
@@ -147,6 +150,16 @@ function inputLines(input: InputReport, command: Command): string[] {
   return lines;
 }
 
+// What had to be done to surfaces that are not closed and consistently oriented.
+function repairLines({ input, grid, output }: NonNullable<CliReport['result']>): string[] {
+  if (input.turnedFaces + input.duplicateFaces + grid.inventedHits === 0) return [];
+  const share = output.area > 0 ? (100 * output.inventedArea) / output.area : 0;
+  return [
+    `repair   ${input.turnedFaces} faces turned, ${input.duplicateFaces} doubled ones left out; ` +
+      `${share.toFixed(1)} % of the area closes holes, ${output.droppedCrumbs} crumbs dropped`,
+  ];
+}
+
 const names: [string, string][] = [
   ['boundaryEdges', 'open edges'],
   ['boundaryLoops', 'boundary loops'],
@@ -172,10 +185,8 @@ function defectLines(defects: MeshDefects): string[] {
   ];
 }
 
-function resultLines(
-  { grid, output }: NonNullable<CliReport['result']>,
-  command: Command,
-): string[] {
+function resultLines(result: NonNullable<CliReport['result']>, command: Command): string[] {
+  const { grid, output } = result;
   const faces =
     output.quads === 0
       ? `${output.triangles} triangles`
@@ -188,6 +199,7 @@ function resultLines(
       `Euler characteristic ${output.eulerCharacteristic}, ` +
       kindText(output, command),
   ];
+  lines.push(...repairLines(result));
   if (command.check) {
     lines.push(
       passesCheck(output, command)

@@ -46,6 +46,13 @@ export const buildOptions: Table<BuildOptions> = {
     default: 'repair',
     help: 'which winding numbers are inside; sheet: none, open surfaces stay open',
   },
+  windingThreshold: {
+    kind: 'number',
+    min: 0,
+    max: 1,
+    default: 0.5,
+    help: 'repair: winding numbers above this are inside, between 0 and 1',
+  },
   pairing: {
     kind: 'choice',
     values: ['trace', 'hermite', 'inside', 'outside'],
@@ -75,6 +82,12 @@ export const extractOptions: Table<ExtractOptions> = {
     min: 0,
     default: 0,
     help: 'vertices where edges pass between leaves further from the surface than this, in model units; 0: the tolerance',
+  },
+  parts: {
+    kind: 'choice',
+    values: ['all', 'outer', 'largest'],
+    default: 'all',
+    help: 'which parts are kept; outer: no cavities, nothing within others',
   },
   strict: {
     kind: 'choice',

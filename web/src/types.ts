@@ -95,6 +95,11 @@ export interface BuildOptions {
    */
   inside?: 'repair' | 'positive' | 'odd' | 'nonzero' | 'sheet';
   /**
+   * With `repair`: winding numbers above this are inside, between 0 and 1 (both excluded), default 0.5. Lower
+   * closes wider gaps, and lets what bulges over them bulge further.
+   */
+  windingThreshold?: number;
+  /**
    * How hits are linked where a minimal face carries more than two:
    * - `trace` (default): as the input's surface crosses the face
    * - `hermite`: by the least deviation from the hits' tangents
@@ -130,6 +135,13 @@ export interface ExtractOptions {
    * units. Not negative; more than the model's size: never. Default 0: the grid's tolerance. Not with `quads`.
    */
   linkError?: number;
+  /**
+   * Which parts are kept:
+   * - `all` (default): all but crumbs, slivers thinner than the tolerance beside holes that were closed
+   * - `outer`: only those that lie in no other: no cavities, and nothing within cavities
+   * - `largest`: only the one that encloses most, without its cavities
+   */
+  parts?: 'all' | 'outer' | 'largest';
   /**
    * What the result must be as an index mesh:
    * - `manifold` (default): 2-manifold; vertices keep apart what would share an edge, parts without volume go
@@ -169,6 +181,10 @@ export interface InputReport {
   degenerateFaces: number;
   /** Faces that lie back to back in pairs; they take no part. */
   cancelledFaces: number;
+  /** `repair`: further faces over the same corners; they take no part. */
+  duplicateFaces: number;
+  /** `repair`: faces that were turned to agree and look outwards. */
+  turnedFaces: number;
   /** Parts joined by edges. */
   components: number;
   /** The input was inside out and has been turned. */
@@ -199,6 +215,8 @@ export interface GridStats {
   ambiguousFaces: number;
   /** Of these, the ones that a trace of the input could not decide. */
   guessedFaces: number;
+  /** Hits of no input face, where holes were closed. */
+  inventedHits: number;
 }
 
 /** What strictness cost. */
@@ -220,6 +238,12 @@ export interface ExtractReport {
    * leaf, or nearer to each other than 32 bits tell apart, are in each other's way. Else null: nobody has looked.
    */
   crossings: number | null;
+  /** Parts left out as `parts` asks. */
+  droppedParts: number;
+  /** Slivers beside closed holes that were left out. */
+  droppedCrumbs: number;
+  /** Area of the faces that are of no input face but close it; their source face is 4294967295. */
+  inventedArea: number;
   /** Closed walks along the boundary; only sheets have one. */
   boundaryLoops: number;
 }

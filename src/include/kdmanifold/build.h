@@ -49,6 +49,9 @@ struct BuildOptions {
   /// 60, a safety net (18, 64 cells an axis, for uniform).
   int depth = 0;
   InsideRule inside = InsideRule::kRepair;
+  /// `kRepair`: winding numbers above this are inside, 0 to 1 (both excluded). Lower closes wider
+  /// gaps, and lets what bulges over them bulge further.
+  double winding_threshold = 0.5;
   Pairing pairing = Pairing::kTrace;
 };
 

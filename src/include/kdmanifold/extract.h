@@ -26,6 +26,13 @@ enum class VertexPosition {
   kProjection    ///< to the point of the leaf that is nearest to the best place
 };
 
+/// Which parts of the result are kept.
+enum class Parts {
+  kAll,     ///< all but crumbs: slivers thinner than the tolerance beside holes that were closed
+  kOuter,   ///< only those that lie in no other: no cavities, and nothing within cavities
+  kLargest  ///< only the one that encloses most, without its cavities
+};
+
 struct ExtractOptions {
   /// Join the two triangles of an edge where four leaves meet to one quad (all of them on a
   /// uniform grid). Quads need not be planar.
@@ -45,6 +52,8 @@ struct ExtractOptions {
   /// tolerance. Not with `quads`.
   double link_error = 0;
   Strict strict = Strict::kManifold;
+  /// Leave parts out. Not of sheets.
+  Parts parts = Parts::kAll;
   /// Give every corner of the faces a normal for shading, from the input's normals at the hits. The
   /// mesh stays what it is: vertices on a crease are not doubled.
   bool normals = false;
@@ -65,6 +74,10 @@ struct ExtractReport {
   /// or parts nearer to each other than 32 bits tell apart, are in each other's way. Else nobody
   /// has looked.
   std::optional<std::uint64_t> crossings;
+  Index dropped_parts = 0;   ///< left out as `parts` asks
+  Index dropped_crumbs = 0;  ///< slivers beside closed holes that were left out
+  double invented_area = 0;  ///< of the faces that are of no input face but close it; their entry
+                             ///< of `source_faces` is kNone
   Index boundary_loops = 0;  ///< closed walks along the boundary; only sheets have one
 };
 

@@ -40,6 +40,7 @@ struct GridStats {
   bool topology_resolved = false;
   Index unresolved_leaves = 0;  ///< leaves given up at the depth limit or below the size floor
   Index ambiguous_faces = 0;    ///< minimal faces with more than two hits
+  Index invented_hits = 0;      ///< hits of no input face, where holes were closed
   Index guessed_faces = 0;      ///< of these, the ones a trace of the input could not decide
 };
 
