@@ -11,6 +11,7 @@
 #include "build/used_planes.h"
 #include "kdmanifold/build.h"
 #include "kdmanifold/error.h"
+#include "kdmanifold/thicken.h"
 
 namespace kdm {
 namespace {
@@ -31,6 +32,7 @@ void check_options(const BuildOptions& options) {
   };
   check("tolerance", options.tolerance);
   check("relative_tolerance", options.relative_tolerance);
+  check("thicken", options.thicken);
 }
 
 int depth_limit(const BuildOptions& options) {
@@ -57,7 +59,9 @@ void report(const Progress& progress, double fraction, std::string_view phase) {
 Grid build_grid(const Mesh& mesh, const BuildOptions& options, const Progress& progress) try {
   check_options(options);
   report(progress, 0.0, "prepare");
-  Surface surface = prepare_surface(mesh, options.inside);
+  Surface surface = options.thicken > 0
+                        ? prepare_surface(thicken(mesh, options.thicken), options.inside)
+                        : prepare_surface(mesh, options.inside);
   auto grid = std::make_unique<GridData>();
   grid->sheet = surface.sheet;
   grid->lattice = surface.lattice;

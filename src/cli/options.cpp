@@ -134,6 +134,9 @@ std::vector<ValueOption> build_options(Command& command) {
              "which winding numbers are inside; sheet: none, open surfaces stay open"),
       choice("--pairing", kPairings, command.build.pairing,
              "how hits are linked where a face has more than two"),
+      not_negative("--thicken", "T", command.build.thicken,
+                   "build a shell of this thickness around the surface, in model units; 0: the "
+                   "input itself (0)"),
   };
 }
 

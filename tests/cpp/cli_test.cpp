@@ -126,7 +126,7 @@ TEST_F(Cli, HelpListsTheOptions) {
             "--json",      "--link-error",   "--no-strict", "--no-unfold", "--normals",
             "--output",    "--pairing",      "--position",  "--quads",     "--relative-tolerance",
             "--save-grid", "--split-error",  "--stats",     "--strategy",  "--strict",
-            "--tolerance", "--version"}));
+            "--thicken",   "--tolerance",    "--version"}));
     EXPECT_NE(outcome.out.find("adaptive|octree|feature|median|uniform"), std::string::npos);
   }
 }
@@ -383,6 +383,14 @@ TEST_F(Cli, CheckFailsOnWhatIsNotManifold) {
   EXPECT_EQ(text.status, 1);
   EXPECT_NE(text.out.find("FAILED"), std::string::npos);
   EXPECT_EQ(run(arguments + " --no-strict").status, 0) << "nobody asked for a check";
+}
+
+TEST_F(Cli, ThickensOpenSurfaces) {
+  write("open.obj", shapes::open(shapes::cube(), 2));
+  const Json json = report("open.obj --thicken 0.1 --relative-tolerance 0.01 --check");
+  EXPECT_EQ(json["check"]["twoManifold"], true);
+  EXPECT_EQ(json["input"]["closed"], true);
+  EXPECT_NE(complaint("open.obj --thicken -1").find("--thicken: "), std::string::npos);
 }
 
 TEST_F(Cli, MistakesInTheArguments) {
