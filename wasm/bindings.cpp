@@ -16,6 +16,7 @@ EMSCRIPTEN_BINDINGS(kdmanifold) {
   function("parseMesh", &kdm::wasm::parse_mesh);
   function("formatMesh", &kdm::wasm::format_mesh);
   function("analyze", &kdm::wasm::analyze);
+  function("thicken", &kdm::wasm::thicken);
   function("describe", &kdm::wasm::describe);
   function("findSelfIntersections", &kdm::wasm::find_self_intersections);
   function("memory", &kdm::wasm::memory);

@@ -48,6 +48,7 @@ inline BuildOptions to_build_options(const val& from) {
   read(from, "inside", options.inside, kInsideRules);
   read(from, "windingThreshold", options.winding_threshold);
   read(from, "pairing", options.pairing, kPairings);
+  read(from, "thicken", options.thicken);
   return options;
 }
 
@@ -215,6 +216,10 @@ inline val extract(const Grid& grid, val options, val progress) {
     to.set("report", report);
     return to;
   });
+}
+
+inline val thicken(val mesh, double thickness) {
+  return guard([&] { return from_mesh(kdm::thicken(to_mesh(mesh), thickness), "Float64Array"); });
 }
 
 inline val grid_stats(const Grid& grid) { return from_grid_stats(grid.stats()); }

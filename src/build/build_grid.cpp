@@ -11,6 +11,7 @@
 #include "build/used_planes.h"
 #include "kdmanifold/build.h"
 #include "kdmanifold/error.h"
+#include "kdmanifold/thicken.h"
 
 namespace kdm {
 namespace {
@@ -31,6 +32,7 @@ void check_options(const BuildOptions& options) {
   };
   check("tolerance", options.tolerance);
   check("relative_tolerance", options.relative_tolerance);
+  check("thicken", options.thicken);
   if (!(options.winding_threshold > 0 && options.winding_threshold < 1)) {
     throw Error(ErrorCode::kInvalidOption,
                 fmt::format("winding_threshold is {}; it must be between 0 and 1",
@@ -62,7 +64,9 @@ void report(const Progress& progress, double fraction, std::string_view phase) {
 Grid build_grid(const Mesh& mesh, const BuildOptions& options, const Progress& progress) try {
   check_options(options);
   report(progress, 0.0, "prepare");
-  Surface surface = prepare_surface(mesh, options.inside);
+  Surface surface = options.thicken > 0
+                        ? prepare_surface(thicken(mesh, options.thicken), options.inside)
+                        : prepare_surface(mesh, options.inside);
   auto grid = std::make_unique<GridData>();
   grid->sheet = surface.sheet;
   grid->lattice = surface.lattice;
@@ -79,8 +83,8 @@ Grid build_grid(const Mesh& mesh, const BuildOptions& options, const Progress& p
   report(progress, 0.8, "link");
   if (surface.repair && grid->hits.empty()) {
     throw Error(ErrorCode::kNotClosed,
-                "the surface encloses nothing: it is not closed, and no point lies behind it on "
-                "most sides");
+                "the surface encloses nothing: it is open, and no point lies behind it on most "
+                "sides; thicken it, or take it as a sheet");
   }
   grid->planes = std::move(surface.planes);
   grid->source_faces = std::move(surface.source_faces);

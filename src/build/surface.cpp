@@ -6,12 +6,12 @@
 
 #include <Eigen/Geometry>
 
-#include "build/crowded_edges.h"
 #include "geometry/predicates.h"
 #include "kdmanifold/error.h"
 #include "mesh/boundary_loops.h"
 #include "mesh/cancel.h"
 #include "mesh/check_positions.h"
+#include "mesh/crowded_edges.h"
 #include "mesh/orient.h"
 #include "mesh/weld.h"
 

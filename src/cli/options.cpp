@@ -139,6 +139,9 @@ std::vector<ValueOption> build_options(Command& command) {
                    "repair: winding numbers above this are inside, between 0 and 1 (0.5)", 1),
       choice("--pairing", kPairings, command.build.pairing,
              "how hits are linked where a face has more than two"),
+      not_negative("--thicken", "T", command.build.thicken,
+                   "build a shell of this thickness around the surface, in model units; 0: the "
+                   "input itself (0)"),
   };
 }
 

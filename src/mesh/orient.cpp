@@ -50,7 +50,7 @@ class Orienter {
  public:
   Orienter(std::span<const Triangle> triangles, const std::vector<Vec3>& points)
       : triangles_(triangles),
-        scaled_(scale_to_one(points)),
+        scaled_(scale_to_one(points, triangles)),
         neighbours_(orient_neighbours(triangles, scaled_.positions)),
         shapes_(neighbours_.parts.size()),
         turn_(neighbours_.parts.size(), 0) {}

@@ -7,18 +7,43 @@
 
 namespace kdm {
 
+namespace {
+
+int exponent_of(double largest) {
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  return exponent;
+}
+
+}  // namespace
+
+std::vector<Vec3> scaled(const std::vector<Vec3>& positions, int exponent) {
+  std::vector<Vec3> result;
+  result.reserve(positions.size());
+  for (const Vec3& p : positions) {
+    result.emplace_back(std::ldexp(p[0], exponent), std::ldexp(p[1], exponent),
+                        std::ldexp(p[2], exponent));
+  }
+  return result;
+}
+
 ScaledPositions scale_to_one(const std::vector<Vec3>& positions) {
   double largest = 0;
   for (const Vec3& p : positions) largest = std::max(largest, p.cwiseAbs().maxCoeff());
-  ScaledPositions scaled;
-  std::frexp(largest, &scaled.exponent);
-  scaled.positions.reserve(positions.size());
-  for (const Vec3& p : positions) {
-    scaled.positions.emplace_back(std::ldexp(p[0], -scaled.exponent),
-                                  std::ldexp(p[1], -scaled.exponent),
-                                  std::ldexp(p[2], -scaled.exponent));
+  const int exponent = exponent_of(largest);
+  return {scaled(positions, -exponent), exponent};
+}
+
+ScaledPositions scale_to_one(const std::vector<Vec3>& positions,
+                             std::span<const Triangle> triangles) {
+  double largest = 0;
+  for (const Triangle& t : triangles) {
+    for (const Index corner : t) {
+      largest = std::max(largest, positions[corner].cwiseAbs().maxCoeff());
+    }
   }
-  return scaled;
+  const int exponent = exponent_of(largest);
+  return {scaled(positions, -exponent), exponent};
 }
 
 }  // namespace kdm

@@ -119,14 +119,31 @@ TEST_F(Cli, HelpListsTheOptions) {
          ++it) {
       options.insert(it->str());
     }
-    EXPECT_EQ(options,
-              (std::set<std::string>{
-                  "--check",     "--crease-angle", "--depth",      "--help",
-                  "--inside",    "--json",         "--link-error", "--no-strict",
-                  "--no-unfold", "--normals",      "--output",     "--pairing",
-                  "--parts",     "--position",     "--quads",      "--relative-tolerance",
-                  "--save-grid", "--split-error",  "--stats",      "--strategy",
-                  "--strict",    "--tolerance",    "--version",    "--winding-threshold"}));
+    EXPECT_EQ(options, (std::set<std::string>{"--check",
+                                              "--crease-angle",
+                                              "--depth",
+                                              "--help",
+                                              "--inside",
+                                              "--json",
+                                              "--link-error",
+                                              "--no-strict",
+                                              "--no-unfold",
+                                              "--normals",
+                                              "--output",
+                                              "--pairing",
+                                              "--parts",
+                                              "--position",
+                                              "--quads",
+                                              "--relative-tolerance",
+                                              "--save-grid",
+                                              "--split-error",
+                                              "--stats",
+                                              "--strategy",
+                                              "--strict",
+                                              "--thicken",
+                                              "--tolerance",
+                                              "--version",
+                                              "--winding-threshold"}));
     EXPECT_NE(outcome.out.find("adaptive|octree|feature|median|uniform"), std::string::npos);
   }
 }
@@ -401,6 +418,14 @@ TEST_F(Cli, CheckFailsOnWhatIsNotManifold) {
   EXPECT_EQ(text.status, 1);
   EXPECT_NE(text.out.find("FAILED"), std::string::npos);
   EXPECT_EQ(run(arguments + " --no-strict").status, 0) << "nobody asked for a check";
+}
+
+TEST_F(Cli, ThickensOpenSurfaces) {
+  write("open.obj", shapes::open(shapes::cube(), 2));
+  const Json json = report("open.obj --thicken 0.1 --relative-tolerance 0.01 --check");
+  EXPECT_EQ(json["check"]["twoManifold"], true);
+  EXPECT_EQ(json["input"]["closed"], true);
+  EXPECT_NE(complaint("open.obj --thicken -1").find("--thicken: "), std::string::npos);
 }
 
 TEST_F(Cli, MistakesInTheArguments) {

@@ -36,6 +36,7 @@ const optionSets = [
   ['--strategy', 'octree', '--depth', '12', '--normals', '--crease-angle', '40'],
   ['--strategy', 'uniform', '--depth', '9', '--no-strict', '--inside', 'odd'],
   ['--strategy', 'octree', '--depth', '15', '--inside', 'sheet'],
+  ['--strategy', 'octree', '--depth', '15', '--thicken', '0.2'],
 ];
 
 test.each(optionSets.map((set) => [set.join(' '), set]))(

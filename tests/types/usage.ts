@@ -13,6 +13,7 @@ import {
   type MeshPart,
   type Mesh,
   type MeshInput,
+  type ParsedMesh,
   type Report,
 } from 'kdmanifold';
 import { fromBufferGeometry, toBufferGeometry } from 'kdmanifold/three';
@@ -54,6 +55,7 @@ kdm.loadGrid(saved, 'part.kdgrid').delete();
 const bytes: Uint8Array = kdm.formatMesh(kdm.parseMesh('', 'obj'), 'stl');
 const geometry: BufferGeometry = toBufferGeometry(mesh);
 kdm.describe(fromBufferGeometry(new BoxGeometry()));
+const shell: ParsedMesh = kdm.thicken(soup, 0.1);
 const defects: MeshDefects = kdm.analyze(soup, { selfIntersections: true });
 const loop: Uint32Array | undefined = defects.boundaryLoops[0];
 const part: MeshPart | undefined = defects.parts[0];

@@ -43,6 +43,7 @@ export interface RawModule {
   parseMesh(bytes: Uint8Array, format: string, name: string): Answer<ParsedMesh>;
   formatMesh(mesh: PolygonMeshInput, format: string): Answer<Uint8Array<ArrayBuffer>>;
   analyze(mesh: PolygonMeshInput, options: object): Answer<RawDefects>;
+  thicken(mesh: PolygonMeshInput, thickness: number): Answer<ParsedMesh>;
   describe(mesh: PolygonMeshInput): Answer<MeshReport>;
   findSelfIntersections(mesh: PolygonMeshInput): Answer<SelfIntersections>;
   memory(): { heapBytes: number; usedBytes: number };

@@ -99,6 +99,22 @@ export class KdManifold {
     return toDefects(call(this.#health, undefined, () => this.#raw.analyze(input, checked)));
   }
 
+  /**
+   * A closed shell around a surface, half of `thickness` (model units, above 0) to either side: what an
+   * open surface needs to be printed. Its parts may overlap; `buildGrid` makes their union, and with
+   * the option `thicken` does both.
+   */
+  thicken(mesh: PolygonMeshInput, thickness: number): ParsedMesh {
+    if (!(Number.isFinite(thickness) && thickness > 0)) {
+      throw new KdManifoldError(
+        'INVALID_OPTION',
+        `thickness: expected a finite number above 0, got ${String(thickness)}`,
+      );
+    }
+    const input = checkPolygonMesh(mesh);
+    return call(this.#health, undefined, () => this.#raw.thicken(input, thickness));
+  }
+
   /** Counts what there is to be counted: parts, open edges, whether the mesh is 2-manifold. */
   describe(mesh: PolygonMeshInput): MeshReport {
     const input = checkPolygonMesh(mesh);

@@ -59,6 +59,12 @@ export const buildOptions: Table<BuildOptions> = {
     default: 'trace',
     help: 'how hits are linked on crowded faces',
   },
+  thicken: {
+    kind: 'number',
+    min: 0,
+    default: 0,
+    help: 'build a shell of this thickness around the surface, in model units; 0: the input itself',
+  },
 };
 
 /** @internal */

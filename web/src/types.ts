@@ -37,13 +37,13 @@ export interface Mesh {
   cornerNormals?: Float32Array<ArrayBuffer>;
 }
 
-/** A mesh from a file; positions as precise as the file has them. */
+/** A mesh from a file, or thickened; positions as precise as they are known. */
 export interface ParsedMesh {
   /** Coordinates, three per vertex. */
   positions: Float64Array<ArrayBuffer>;
   /** Vertex numbers, three per triangle. */
   indices: Uint32Array<ArrayBuffer>;
-  /** The file's face (from 0) that each triangle was cut from. */
+  /** The face (from 0) of the file, or of the surface, that each triangle was made from. */
   sourceFaces: Uint32Array<ArrayBuffer>;
 }
 
@@ -106,6 +106,12 @@ export interface BuildOptions {
    * - `inside`, `outside`: the two fixed rules of the paper, for comparison
    */
   pairing?: 'trace' | 'hermite' | 'inside' | 'outside';
+  /**
+   * Takes the input for a surface that bounds nothing, which may be open, and builds the shell of this
+   * thickness around it, in model units (see `KdManifold.thicken`). Not negative; default 0: the input
+   * itself. The report's `input` is that of the shell.
+   */
+  thicken?: number;
 }
 
 /** How a grid becomes a mesh. */

@@ -53,11 +53,15 @@ struct BuildOptions {
   /// gaps, and lets what bulges over them bulge further.
   double winding_threshold = 0.5;
   Pairing pairing = Pairing::kTrace;
+  /// Takes the input for a surface that bounds nothing and builds the shell of this thickness
+  /// around it (`thicken`), in model units. Not negative; 0 builds the input itself.
+  double thicken = 0;
 };
 
 /// Builds the grid of a closed, consistently oriented mesh (after joining vertices of exactly
 /// equal position); overlapping, nested and self-intersecting shells are welcome. As a sheet any
-/// mesh will do: it comes apart where neighbours are turned against each other. Linear in the
+/// mesh will do: it comes apart where neighbours are turned against each other. Any mesh will do as
+/// well if it is thickened; the grid's input report then is that of the shell. Linear in the
 /// triangles times the depth. Throws `kInvalidMesh`, `kInvalidOption`, `kNotClosed`, `kAborted`.
 Grid build_grid(const Mesh& mesh, const BuildOptions& options = {}, const Progress& progress = {});
 

@@ -11,5 +11,6 @@
 #include "kdmanifold/mesh.h"
 #include "kdmanifold/mesh_io.h"
 #include "kdmanifold/progress.h"
+#include "kdmanifold/thicken.h"
 #include "kdmanifold/types.h"
 #include "kdmanifold/version.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Greedy pairing by the angle between triangles.
-#include "build/crowded_edges.h"
+#include "mesh/crowded_edges.h"
 
 #include <algorithm>
 #include <array>

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// Shells around open surfaces, as a function, as an option and through the worker.
+import { load, makeManifold } from '../../dist/index.js';
+import { cube, faults, volume } from './support/meshes.js';
+
+let kdm;
+beforeAll(async () => {
+  kdm = await load();
+});
+
+// The cube of size 2 without its first side: five sides of area 4.
+const openBox = () => {
+  const { positions, indices } = cube();
+  return { positions, indices: indices.slice(6) };
+};
+// Outer box less inner box; both end at the open side.
+const wallVolume = (wall) => (2 + wall) ** 2 * (2 + wall / 2) - (2 - wall) ** 2 * (2 - wall / 2);
+
+test('a shell is closed, of the right thickness, and names the faces it comes from', () => {
+  const box = openBox();
+  const shell = kdm.thicken(box, 0.2);
+  expect(shell.positions).toBeInstanceOf(Float64Array);
+  expect(faults(shell)).toEqual(faults(cube()));
+  expect(volume(shell)).toBeCloseTo(wallVolume(0.2), 6);
+  expect(shell.sourceFaces.length).toBe(shell.indices.length / 3);
+  expect(Math.max(...shell.sourceFaces)).toBe(box.indices.length / 3 - 1);
+});
+
+test('the option thicken builds it', async () => {
+  const options = { thicken: 0.2, relativeTolerance: 0.005 };
+  const grid = kdm.buildGrid(openBox(), options);
+  const mesh = grid.extract();
+  expect(grid.input.closed).toBe(true);
+  grid.delete();
+  expect(volume(mesh)).toBeCloseTo(wallVolume(0.2), 3);
+  const converted = await makeManifold(openBox(), options);
+  expect(converted.report.output.twoManifold).toBe(true);
+  expect(converted.mesh).toEqual({
+    positions: mesh.positions,
+    indices: mesh.indices,
+    sourceFaces: mesh.sourceFaces,
+  });
+});
+
+test.each([0, -1, NaN, Infinity, '1', undefined])('thickness %p is refused', (thickness) => {
+  expect(() => kdm.thicken(openBox(), thickness)).toThrow(
+    expect.objectContaining({
+      code: 'INVALID_OPTION',
+      message: expect.stringContaining('thickness'),
+    }),
+  );
+});
+
+test('what is wrong with a mesh or the option is said', () => {
+  const { positions } = cube();
+  expect(() => kdm.thicken({ positions, indices: Uint32Array.of(0, 0, 1) }, 1)).toThrow(
+    expect.objectContaining({ code: 'INVALID_MESH', message: expect.stringContaining('area') }),
+  );
+  expect(() => kdm.thicken({ positions, indices: Uint32Array.of(0, 1, 8) }, 1)).toThrow(
+    expect.objectContaining({ code: 'INVALID_MESH' }),
+  );
+  expect(() => kdm.buildGrid(cube(), { thicken: -1 })).toThrow(
+    expect.objectContaining({
+      code: 'INVALID_OPTION',
+      message: expect.stringContaining('thicken'),
+    }),
+  );
+});
