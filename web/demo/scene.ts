@@ -21,12 +21,17 @@ import {
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { PolygonMeshInput } from 'kdmanifold';
 import { toBufferGeometry } from 'kdmanifold/three';
-import { creases } from './creases';
+import { CreaseFinder } from './crease-finder';
+import type { Finding, Kind } from './findings';
+import { turnByKey } from './keyboard';
+import { paint, type Paint } from './overlay';
 
 interface View {
   element: HTMLElement;
   scene: Scene;
   drawn: Drawn[];
+  /** Defects painted over what is drawn. */
+  paints: Paint[];
 }
 
 // The material's name says what the thing is there for.
@@ -51,6 +56,7 @@ export class Stage {
   readonly #cut = new Plane(new Vector3(-1, 0, 0), 1);
   readonly #host: HTMLElement;
   readonly #lines: Lines = { wireframe: false, creases: true };
+  readonly #creases = new CreaseFinder();
   #centre = new Vector3();
   #radius = 1;
   #scheduled = false;
@@ -72,7 +78,11 @@ export class Stage {
     this.#camera.up.set(0, 0, 1);
     this.#controls = new OrbitControls(this.#camera, host);
     this.#controls.addEventListener('change', () => this.draw());
-    host.addEventListener('keydown', (event) => this.#onKey(event));
+    host.addEventListener('keydown', (event) => {
+      if (!turnByKey(event, this.#camera, this.#controls.target)) return;
+      this.#controls.update();
+      this.draw();
+    });
     new ResizeObserver(() => this.draw()).observe(host);
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.#recolour());
     this.resetView();
@@ -87,14 +97,36 @@ export class Stage {
       view.scene.remove(object);
     }
     view.drawn = [];
+    this.#clearPaints(view);
     if (mesh !== null) {
       const geometry = toBufferGeometry(mesh);
       if (which === 'input') this.#frame(geometry);
       view.drawn = this.#dress(geometry);
       view.scene.add(...view.drawn);
+      void this.#addCreases(view, geometry);
     }
     this.#applyLines();
     this.#recolour();
+  }
+
+  /** Paints defects over the input, in addition to those that are there. */
+  paint(findings: Finding[]): void {
+    const { paints, scene } = this.#views.input;
+    for (const finding of findings) {
+      const made = paint(finding, this.#cut);
+      paints.push(made);
+      scene.add(...made.objects);
+    }
+    this.draw();
+  }
+
+  /** Shows or hides one kind of defect. */
+  showPaint(kind: Kind, visible: boolean): void {
+    for (const made of this.#views.input.paints) {
+      if (made.kind !== kind) continue;
+      for (const object of made.objects) object.visible = visible;
+    }
+    this.draw();
   }
 
   /** Switches lines on and off. */
@@ -145,17 +177,29 @@ export class Stage {
       geometry,
       new MeshBasicMaterial({ name: 'wire', wireframe: true, clippingPlanes }),
     );
-    const positions = geometry.getAttribute('position').array;
-    const index =
-      geometry.getIndex()?.array ?? Uint32Array.from({ length: positions.length / 3 }, (_, i) => i);
-    const edges = new LineSegments(
-      new BufferGeometry().setAttribute(
-        'position',
-        new Float32BufferAttribute(creases(positions, index), 3),
-      ),
-      new LineBasicMaterial({ name: 'crease', clippingPlanes }),
-    );
-    return [faces, backs, wires, edges];
+    return [faces, backs, wires];
+  }
+
+  // The sharp edges come when they are found, unless something else is shown by then.
+  async #addCreases(view: View, geometry: BufferGeometry): Promise<void> {
+    const lines = await this.#creases.find(geometry);
+    if (view.drawn[0]?.geometry !== geometry) return;
+    const ends = new BufferGeometry();
+    ends.setAttribute('position', new Float32BufferAttribute(lines, 3));
+    const material = new LineBasicMaterial({ name: 'crease', clippingPlanes: [this.#cut] });
+    const edges = new LineSegments(ends, material);
+    view.drawn.push(edges);
+    view.scene.add(edges);
+    this.#applyLines();
+    this.#recolour();
+  }
+
+  #clearPaints(view: View): void {
+    for (const { objects, dispose } of view.paints) {
+      view.scene.remove(...objects);
+      dispose();
+    }
+    view.paints = [];
   }
 
   #frame(geometry: BufferGeometry): void {
@@ -203,38 +247,10 @@ export class Stage {
       this.#renderer.render(scene, this.#camera);
     }
   }
-
-  #onKey(event: KeyboardEvent): void {
-    const turn: Record<string, [number, number]> = {
-      ArrowLeft: [0.1, 0],
-      ArrowRight: [-0.1, 0],
-      ArrowUp: [0, -0.1],
-      ArrowDown: [0, 0.1],
-    };
-    const zoom: Record<string, number> = { '+': 0.9, '=': 0.9, '-': 1.1 };
-    const offset = this.#camera.position.clone().sub(this.#controls.target);
-    const [around, over] = turn[event.key] ?? [0, 0];
-    const scale = zoom[event.key] ?? 1;
-    if (around === 0 && over === 0 && scale === 1) return;
-    event.preventDefault();
-    const { z } = offset;
-    const flat = Math.hypot(offset.x, offset.y);
-    const tilt = Math.min(1.5, Math.max(-1.5, Math.atan2(z, flat) + over * -1));
-    const heading = Math.atan2(offset.y, offset.x) + around;
-    const length = offset.length() * scale;
-    offset.set(
-      length * Math.cos(tilt) * Math.cos(heading),
-      length * Math.cos(tilt) * Math.sin(heading),
-      length * Math.sin(tilt),
-    );
-    this.#camera.position.copy(this.#controls.target).add(offset);
-    this.#controls.update();
-    this.draw();
-  }
 }
 
 function makeView(element: HTMLElement): View {
   const scene = new Scene();
   scene.add(new HemisphereLight(0xffffff, 0x8090a4, 1.5));
-  return { element, scene, drawn: [] };
+  return { element, scene, drawn: [], paints: [] };
 }

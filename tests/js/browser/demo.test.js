@@ -39,6 +39,10 @@ const settled = () =>
   page.waitForFunction(() => ['done', 'error'].includes(document.body.dataset.state), null, {
     timeout: 60_000,
   });
+const inspected = () =>
+  page.waitForFunction(() => document.body.dataset.inspection === 'done', null, {
+    timeout: 60_000,
+  });
 const busyThenSettled = async (action) => {
   await page.evaluate(() => (document.body.dataset.state = 'waiting'));
   await action();
@@ -73,6 +77,10 @@ test('starts with a sample already converted', async () => {
   expect(await fact('input-facts', 'Parts')).toBe('5');
   expect(await fact('output-facts', '2-manifold')).toBe('yes');
   expect(await fact('grid-facts', 'Build')).toMatch(/^[\d.]+ s$/);
+  await inspected();
+  expect(await text('#story')).toMatch(
+    /^The input has 5 parts and is closed; \d+ faces cross each other\.$/,
+  );
   await page.screenshot({ path: join(screenshots, 'start.png') });
 });
 
@@ -88,6 +96,78 @@ test('a chosen file is converted', async () => {
   await choose('ring.stl', torus());
   expect(await text('#verdict')).toBe('Closed · 2-manifold · 1 part · Euler characteristic 0');
   expect(await text('#input-name')).toBe('ring.stl, 1,024 triangles');
+});
+
+// A cube without one of its triangles, with another one twice and one of no area, and beside it a
+// cube inside out.
+function broken() {
+  const { positions, indices } = cube();
+  const doubled = indices.subarray(6, 9);
+  const open = { positions, indices: [...indices.subarray(3), ...doubled, 0, 0, 1] };
+  const inverted = cube(2, [3, 0, 0]);
+  return together(open, { ...inverted, indices: inverted.indices.slice().reverse() });
+}
+const legend = () => page.locator('#legend label').allInnerTexts();
+const switchOf = (kind) => page.locator(`#legend input[data-kind="${kind}"]`);
+
+test('defects are told in words, counted and painted, each kind to be switched off', async () => {
+  await choose('broken.obj', broken());
+  await inspected();
+  expect(await text('#story')).toBe(
+    'The input has 2 parts; it is open (3 edges round 1 hole), 3 edges have three or more faces, ' +
+      '12 faces are turned the wrong way, 1 face is doubled, 1 face has no area, ' +
+      'and 2 faces cross each other.',
+  );
+  expect(await legend()).toEqual([
+    'Open edges (3)',
+    'Edges of three or more faces (3)',
+    'Faces turned the wrong way (12)',
+    'Doubled faces (1)',
+    'Faces without area (1)',
+    'Crossing faces (2)',
+  ]);
+  await page.screenshot({ path: join(screenshots, 'defects.png') });
+  const picture = async () => {
+    await page.waitForTimeout(300);
+    return page.locator('#input-view').screenshot();
+  };
+  const painted = await picture();
+  for (const kind of ['open', 'crowded', 'flipped']) {
+    await switchOf(kind).uncheck();
+    expect(await differentPixels(page, await picture(), painted)).toBeGreaterThan(few);
+    await switchOf(kind).check();
+  }
+  expect(await differentPixels(page, await picture(), painted)).toBeLessThan(few);
+});
+
+test('what is switched off stays off with the next model', async () => {
+  await switchOf('open').uncheck();
+  const { positions, indices } = cube();
+  await choose('open.stl', { positions, indices: indices.slice(6) });
+  await inspected();
+  expect(await text('#story')).toBe('The input has 1 part; it is open (4 edges round 1 hole).');
+  expect(await switchOf('open').isChecked()).toBe(false);
+  await switchOf('open').check();
+});
+
+test('a clean model has nothing painted on it', async () => {
+  await choose('cube.off', cube());
+  await inspected();
+  expect(await text('#story')).toBe('The input has 1 part and is closed and free of defects.');
+  expect(await page.locator('#legend').isVisible()).toBe(false);
+});
+
+test('a new model does not wait for the inspection of the one before', async () => {
+  // Ten thousand triangles on each other, in a corner: fifty million pairs to be looked at.
+  const { positions, indices } = cube();
+  const corner = [1, 1, 1, 1.01, 1, 1, 1, 1.01, 1];
+  const copies = Array.from({ length: 10_000 }, () => [8, 9, 10]).flat();
+  const slow = { positions: [...positions, ...corner], indices: [...indices, ...copies] };
+  await page.locator('#file').setInputFiles(file('slow.ply', together(slow)));
+  await page.waitForFunction(() => /crossings…/.test(document.querySelector('#story').innerText));
+  await choose('ring.stl', torus());
+  await inspected();
+  expect(await text('#story')).toBe('The input has 1 part and is closed and free of defects.');
 });
 
 test('a dropped file is converted', async () => {
