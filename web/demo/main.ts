@@ -63,6 +63,11 @@ async function convert(): Promise<void> {
   }
 }
 
+// No format says which way is up; these are mostly scans and models for pictures, the others parts.
+function upOf(name: string): 'y' | 'z' {
+  return /\.(obj|ply)$/i.test(name) ? 'y' : 'z';
+}
+
 // A new input: the one before is no longer worked on.
 function begin(source: Source): void {
   running?.abort();
@@ -84,6 +89,9 @@ function begin(source: Source): void {
 function take(name: string, mesh: MeshInput): void {
   input = { name, mesh };
   showInput(name, (mesh.indices ?? mesh.positions).length / (mesh.indices ? 3 : 9));
+  const up = upOf(name);
+  element<HTMLSelectElement>('up').value = up;
+  stage.setUp(up);
   stage.show('input', mesh);
   updateCut();
   void convert();
@@ -155,6 +163,15 @@ function connect(): void {
   for (const id of ['wireframe', 'creases']) {
     element(id).addEventListener('change', () => stage.setLines(readLines()));
   }
+  const up = element<HTMLSelectElement>('up');
+  up.addEventListener('change', () => {
+    stage.setUp(up.value as 'y' | 'z');
+    updateCut();
+  });
+  element('keep-open').addEventListener('click', () => {
+    element<HTMLSelectElement>('inside').value = 'sheet';
+    void convert();
+  });
   element('cut').addEventListener('input', updateCut);
   element('reset-view').addEventListener('click', () => stage.resetView());
   element('cancel').addEventListener('click', () => running?.abort());

@@ -4,7 +4,7 @@ import type { BuildOptions, Conversion, ExtractOptions } from 'kdmanifold';
 import { clearFacts, showFacts } from './facts';
 import { element } from './element';
 import type { Lines } from './scene';
-import { remedyOf } from './story';
+import { count, remedyOf } from './story';
 
 const number = new Intl.NumberFormat('en');
 const decimal = new Intl.NumberFormat('en', { maximumSignificantDigits: 3 });
@@ -17,8 +17,7 @@ export function readOptions(): BuildOptions & ExtractOptions {
     ...(byTolerance()
       ? { relativeTolerance: readTolerance() }
       : { depth: element<HTMLInputElement>('depth').valueAsNumber }),
-    // Nothing chosen: the library does what suits the input.
-    ...(choice('inside') === '' ? {} : { inside: choice('inside') as BuildOptions['inside'] }),
+    inside: choice('inside') as BuildOptions['inside'],
     pairing: choice('pairing') as BuildOptions['pairing'],
     quads: element<HTMLInputElement>('quads').checked,
   };
@@ -90,7 +89,7 @@ export function showProgress(fraction: number, phase: string): void {
 /** The verdict in words, and the numbers. */
 export function showResult({ report }: Conversion): void {
   const { output } = report;
-  document.body.dataset.verdict = output.twoManifold ? 'good' : 'bad';
+  document.body.dataset.verdict = output.manifold ? 'good' : 'bad';
   element('verdict').textContent = verdictOf(report.output);
   const faces = [`${number.format(output.triangles)} triangles`];
   if (output.quads > 0) faces.push(`${number.format(output.quads)} quads`);
@@ -106,11 +105,11 @@ export function tell(story: string): void {
   element('story').textContent = story;
 }
 
-/** An error, as text. */
+/** An error, as text; what encloses nothing can at least be kept open. */
 export function showError(message: string): void {
-  const box = element('error');
-  box.textContent = message;
-  box.hidden = false;
+  element('error-text').textContent = message;
+  element('keep-open').hidden = !message.startsWith('NOT_CLOSED');
+  element('error').hidden = false;
   element('verdict').textContent = 'No result.';
   finish('error');
 }
@@ -121,11 +120,12 @@ function finish(state: 'done' | 'error'): void {
 }
 
 function verdictOf(output: Conversion['report']['output']): string {
-  const parts = output.components === 1 ? '1 part' : `${number.format(output.components)} parts`;
+  const rims = `with ${count(output.boundaryLoops, 'boundary loop')}`;
+  const kind = output.manifold ? '2-manifold' : 'not 2-manifold';
   return [
-    output.closed ? 'Closed' : 'Not closed',
-    output.twoManifold ? '2-manifold' : 'not 2-manifold',
-    parts,
+    output.closed ? 'Closed' : 'Open',
+    output.closed ? kind : `${kind} ${rims}`,
+    count(output.components, 'part'),
     `Euler characteristic ${number.format(output.eulerCharacteristic)}`,
   ].join(' · ');
 }

@@ -6,6 +6,7 @@ import {
   Color,
   DirectionalLight,
   Float32BufferAttribute,
+  Group,
   HemisphereLight,
   LineBasicMaterial,
   LineSegments,
@@ -15,6 +16,7 @@ import {
   PerspectiveCamera,
   Plane,
   Scene,
+  Sphere,
   Vector3,
   WebGLRenderer,
 } from 'three';
@@ -29,6 +31,8 @@ import { paint, type Paint } from './overlay';
 interface View {
   element: HTMLElement;
   scene: Scene;
+  /** Holds what is drawn, turned so that up is up. */
+  root: Group;
   drawn: Drawn[];
   /** Defects painted over what is drawn. */
   paints: Paint[];
@@ -57,8 +61,8 @@ export class Stage {
   readonly #host: HTMLElement;
   readonly #lines: Lines = { wireframe: false, creases: true };
   readonly #creases = new CreaseFinder();
+  #sphere = new Sphere(new Vector3(), 1);
   #centre = new Vector3();
-  #radius = 1;
   #scheduled = false;
 
   constructor(
@@ -94,7 +98,7 @@ export class Stage {
     for (const object of view.drawn) {
       object.geometry.dispose();
       object.material.dispose();
-      view.scene.remove(object);
+      view.root.remove(object);
     }
     view.drawn = [];
     this.#clearPaints(view);
@@ -102,7 +106,7 @@ export class Stage {
       const geometry = toBufferGeometry(mesh);
       if (which === 'input') this.#frame(geometry);
       view.drawn = this.#dress(geometry);
-      view.scene.add(...view.drawn);
+      view.root.add(...view.drawn);
       void this.#addCreases(view, geometry);
     }
     this.#applyLines();
@@ -111,11 +115,11 @@ export class Stage {
 
   /** Paints defects over the input, in addition to those that are there. */
   paint(findings: Finding[]): void {
-    const { paints, scene } = this.#views.input;
+    const { paints, root } = this.#views.input;
     for (const finding of findings) {
       const made = paint(finding, this.#cut);
       paints.push(made);
-      scene.add(...made.objects);
+      root.add(...made.objects);
     }
     this.draw();
   }
@@ -136,16 +140,24 @@ export class Stage {
     this.draw();
   }
 
+  /** Which of the model's axes points up. */
+  setUp(axis: 'y' | 'z'): void {
+    for (const { root } of Object.values(this.#views)) {
+      root.rotation.x = axis === 'y' ? Math.PI / 2 : 0;
+    }
+    this.#lookAgain();
+  }
+
   /** Cuts away a share (0 to 1) of the model from one side. */
   setCut(share: number): void {
-    this.#cut.constant = this.#centre.x + this.#radius * (1.001 - 2 * share);
+    this.#cut.constant = this.#centre.x + this.#sphere.radius * (1.001 - 2 * share);
     this.draw();
   }
 
   /** Turns back to where the camera was at first. */
   resetView(): void {
     const away = new Vector3(-0.9, -1.5, 0.95).normalize();
-    const distance = (this.#radius * 1.12) / Math.sin((this.#camera.fov * Math.PI) / 360);
+    const distance = (this.#sphere.radius * 1.12) / Math.sin((this.#camera.fov * Math.PI) / 360);
     this.#camera.position.copy(this.#centre).addScaledVector(away, distance);
     this.#camera.near = distance / 100;
     this.#camera.far = distance * 20;
@@ -189,14 +201,14 @@ export class Stage {
     const material = new LineBasicMaterial({ name: 'crease', clippingPlanes: [this.#cut] });
     const edges = new LineSegments(ends, material);
     view.drawn.push(edges);
-    view.scene.add(edges);
+    view.root.add(edges);
     this.#applyLines();
     this.#recolour();
   }
 
   #clearPaints(view: View): void {
     for (const { objects, dispose } of view.paints) {
-      view.scene.remove(...objects);
+      view.root.remove(...objects);
       dispose();
     }
     view.paints = [];
@@ -206,8 +218,13 @@ export class Stage {
     geometry.computeBoundingSphere();
     const sphere = geometry.boundingSphere;
     if (sphere === null || !(sphere.radius > 0)) return;
-    this.#centre = sphere.center.clone();
-    this.#radius = sphere.radius;
+    this.#sphere = sphere;
+    this.#lookAgain();
+  }
+
+  #lookAgain(): void {
+    const { root } = this.#views.input;
+    this.#centre = this.#sphere.center.clone().applyEuler(root.rotation);
     this.resetView();
   }
 
@@ -251,6 +268,7 @@ export class Stage {
 
 function makeView(element: HTMLElement): View {
   const scene = new Scene();
-  scene.add(new HemisphereLight(0xffffff, 0x8090a4, 1.5));
-  return { element, scene, drawn: [], paints: [] };
+  const root = new Group();
+  scene.add(new HemisphereLight(0xffffff, 0x8090a4, 1.5), root);
+  return { element, scene, root, drawn: [], paints: [] };
 }

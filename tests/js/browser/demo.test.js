@@ -213,6 +213,20 @@ test('wireframe, edges and cut change the picture, not the result', async () => 
   expect(await page.getAttribute('body', 'data-state')).toBe('done');
 });
 
+test('up may be another axis', async () => {
+  const picture = async () => {
+    await page.waitForTimeout(300);
+    return page.locator('#stage').screenshot();
+  };
+  // As is usual for OBJ.
+  expect(await page.inputValue('#up')).toBe('y');
+  const before = await picture();
+  await page.selectOption('#up', 'z');
+  expect(await differentPixels(page, await picture(), before)).toBeGreaterThan(few);
+  await page.selectOption('#up', 'y');
+  expect(await differentPixels(page, await picture(), before)).toBeLessThan(few);
+});
+
 test('the view turns by keyboard and comes back', async () => {
   const picture = async () => {
     await page.waitForTimeout(300);
@@ -237,13 +251,31 @@ test.each(['obj', 'stl', 'ply'])('the result can be downloaded as %s', async (fo
   else expect(faults(mesh)).toEqual([]);
 });
 
-test('an open mesh: the error is text on the page, with its code and the edge', async () => {
+test('an open mesh becomes a solid', async () => {
   const { positions, indices } = cube();
   await choose('open.ply', { positions, indices: indices.slice(3) });
-  expect(await text('#error')).toMatch(/^NOT_CLOSED: .*edge/);
+  await inspected();
+  expect(await text('#verdict')).toBe('Closed · 2-manifold · 1 part · Euler characteristic 2');
+  expect(await text('#story')).toBe('The input has 1 part; it is open (3 edges round 1 hole).');
+  await page.screenshot({ path: join(screenshots, 'open.png') });
+});
+
+test('what encloses nothing: the error is text on the page, and there is a way on', async () => {
+  const { positions, indices } = cube();
+  await choose('square.ply', { positions, indices: indices.slice(0, 6) });
+  expect(await text('#error-text')).toMatch(/^NOT_CLOSED: .*encloses nothing/);
   expect(await text('#verdict')).toBe('No result.');
   expect(await page.locator('#save-obj').isDisabled()).toBe(true);
   await page.screenshot({ path: join(screenshots, 'error.png') });
+  await busyThenSettled(() => page.locator('#keep-open').click());
+  expect(await page.locator('#error').isVisible()).toBe(false);
+  expect(await text('#verdict')).toBe(
+    'Open · 2-manifold with 1 boundary loop · 1 part · Euler characteristic 1',
+  );
+  expect(await page.inputValue('#inside')).toBe('sheet');
+  expect(await page.locator('#save-obj').isDisabled()).toBe(false);
+  await page.locator('summary').click();
+  await busyThenSettled(() => page.selectOption('#inside', 'repair'));
 });
 
 test('a file that is no mesh, and a file of an unknown type', async () => {
