@@ -8,7 +8,7 @@ export function creases(
   positions: ArrayLike<number>,
   indices: ArrayLike<number>,
   degrees = 30,
-): Float32Array {
+): Float32Array<ArrayBuffer> {
   const same = weld(positions);
   const normals = faceNormals(positions, indices);
   // Edge keys, smaller vertex first, with the face behind them: sorting brings the faces together.

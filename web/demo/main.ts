@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Wires the page together: where models come from, when to convert, where results go.
-import {
-  formatFromPath,
-  load,
-  makeManifold,
-  type Mesh,
-  type MeshFormat,
-  type MeshInput,
-} from 'kdmanifold';
+// Wires the page together: where models come from, when to inspect and convert, where results go.
+import { load, makeManifold, type Mesh, type MeshFormat, type MeshInput } from 'kdmanifold';
+import { describeError } from './describe-error';
+import { element } from './element';
+import type { Finding, Summary } from './findings';
+import type { Reply, Source } from './inspect.worker';
+import { Inspector } from './inspector';
+import { showLegend } from './legend';
 import { samples } from './models';
 import {
-  element,
   explainSize,
   readLines,
   readOptions,
@@ -19,29 +17,28 @@ import {
   showInput,
   showProgress,
   showResult,
+  tell,
 } from './panel';
 import { Stage } from './scene';
+import { storyOf } from './story';
 
 // Changes of a slider come in bursts.
 const settleMilliseconds = 250;
 
 let input: { name: string; mesh: MeshInput } | null = null;
+let findings: Finding[] = [];
+let summary: Summary | null = null;
 let result: Mesh | null = null;
 let running: AbortController | null = null;
 let settling = 0;
 
+const inspector = new Inspector();
 const stage = new Stage(
   element('stage'),
   element<HTMLCanvasElement>('canvas'),
   element('input-view'),
   element('output-view'),
 );
-
-function describeError(error: unknown): string {
-  if (!(error instanceof Error)) return String(error);
-  const { code } = error as { code?: string };
-  return code === undefined ? error.message : `${code}: ${error.message}`;
-}
 
 async function convert(): Promise<void> {
   running?.abort();
@@ -66,31 +63,55 @@ async function convert(): Promise<void> {
   }
 }
 
-function take(name: string, mesh: MeshInput): Promise<void> {
-  input = { name, mesh };
-  showInput(name, (mesh.indices ?? mesh.positions).length / (mesh.indices ? 3 : 9));
-  stage.show('output', null);
-  stage.show('input', mesh);
-  updateCut();
-  return convert();
+// No format says which way is up; these are mostly scans and models for pictures, the others parts.
+function upOf(name: string): 'y' | 'z' {
+  return /\.(obj|ply)$/i.test(name) ? 'y' : 'z';
 }
 
-async function open(file: File): Promise<void> {
+// A new input: the one before is no longer worked on.
+function begin(source: Source): void {
   running?.abort();
   running = null;
+  input = null;
+  summary = null;
+  findings = [];
+  showLegend([], () => {});
+  stage.show('input', null);
+  stage.show('output', null);
+  showInput(source.name);
   showBusy();
-  element('verdict').textContent = `Reading ${file.name}…`;
-  try {
-    const library = await load();
-    const bytes = await file.arrayBuffer();
-    await take(file.name, library.parseMesh(bytes, formatFromPath(file.name), file.name));
-  } catch (error) {
-    input = null;
-    showInput(file.name, 0);
-    stage.show('input', null);
-    stage.show('output', null);
-    showError(describeError(error));
+  if ('mesh' in source) take(source.name, source.mesh);
+  else element('verdict').textContent = `Reading ${source.name}…`;
+  document.body.dataset.inspection = 'busy';
+  inspector.inspect(source, (reply) => hear(source.name, reply));
+}
+
+function take(name: string, mesh: MeshInput): void {
+  input = { name, mesh };
+  showInput(name, (mesh.indices ?? mesh.positions).length / (mesh.indices ? 3 : 9));
+  const up = upOf(name);
+  element<HTMLSelectElement>('up').value = up;
+  stage.setUp(up);
+  stage.show('input', mesh);
+  updateCut();
+  void convert();
+}
+
+// What the inspection finds comes bit by bit.
+function hear(name: string, reply: Reply): void {
+  if (reply.type === 'mesh') return take(name, reply.mesh);
+  document.body.dataset.inspection = reply.type === 'defects' ? 'busy' : 'done';
+  if (reply.type === 'failed') {
+    // Without a mesh there is no conversion to say it.
+    if (input === null) showError(reply.message);
+    tell('');
+    return;
   }
+  if (reply.type === 'defects') summary = reply.summary;
+  findings.push(...reply.findings);
+  stage.paint(reply.findings);
+  showLegend(findings, (kind, visible) => stage.showPaint(kind, visible));
+  if (summary !== null) tell(storyOf(summary, findings, reply.type === 'crossings'));
 }
 
 async function save(format: MeshFormat): Promise<void> {
@@ -120,7 +141,7 @@ function updateCut(): void {
 
 function takeSample(): void {
   const sample = samples[element<HTMLSelectElement>('sample').selectedIndex];
-  if (sample !== undefined) void take(sample.name, sample.make());
+  if (sample !== undefined) begin({ name: sample.name, mesh: sample.make() });
 }
 
 function connect(): void {
@@ -131,7 +152,7 @@ function connect(): void {
   const file = element<HTMLInputElement>('file');
   file.addEventListener('change', () => {
     const [chosen] = file.files ?? [];
-    if (chosen !== undefined) void open(chosen);
+    if (chosen !== undefined) begin({ name: chosen.name, file: chosen });
   });
   element('panel').addEventListener('submit', (event) => event.preventDefault());
 
@@ -142,6 +163,15 @@ function connect(): void {
   for (const id of ['wireframe', 'creases']) {
     element(id).addEventListener('change', () => stage.setLines(readLines()));
   }
+  const up = element<HTMLSelectElement>('up');
+  up.addEventListener('change', () => {
+    stage.setUp(up.value as 'y' | 'z');
+    updateCut();
+  });
+  element('keep-open').addEventListener('click', () => {
+    element<HTMLSelectElement>('inside').value = 'sheet';
+    void convert();
+  });
   element('cut').addEventListener('input', updateCut);
   element('reset-view').addEventListener('click', () => stage.resetView());
   element('cancel').addEventListener('click', () => running?.abort());
@@ -160,7 +190,7 @@ function connect(): void {
     event.preventDefault();
     document.body.classList.remove('dropping');
     const [dropped] = event.dataTransfer?.files ?? [];
-    if (dropped !== undefined) void open(dropped);
+    if (dropped !== undefined) begin({ name: dropped.name, file: dropped });
   });
 }
 

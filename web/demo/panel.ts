@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Everything on the page that is not 3D: reading the controls, writing what is to be read.
-import type { BuildOptions, Conversion, ExtractOptions, InputReport } from 'kdmanifold';
+import type { BuildOptions, Conversion, ExtractOptions } from 'kdmanifold';
+import { clearFacts, showFacts } from './facts';
+import { element } from './element';
 import type { Lines } from './scene';
-
-/** An element of the page that must be there. */
-export function element<T extends HTMLElement = HTMLElement>(id: string): T {
-  const found = document.getElementById(id);
-  if (found === null) throw new Error(`the page has no element #${id}`);
-  return found as T;
-}
+import { count, remedyOf } from './story';
 
 const number = new Intl.NumberFormat('en');
 const decimal = new Intl.NumberFormat('en', { maximumSignificantDigits: 3 });
@@ -62,11 +58,13 @@ export function explainSize(): void {
       : `${cells} cells along each axis.`;
 }
 
-/** Names the input and gives its size. */
-export function showInput(name: string, triangles: number): void {
-  element('input-name').textContent = `${name}, ${number.format(triangles)} triangles`;
+/** Names the input and gives its size once that is known. */
+export function showInput(name: string, triangles?: number): void {
+  element('input-name').textContent =
+    triangles === undefined ? name : `${name}, ${number.format(triangles)} triangles`;
   element('output-name').textContent = '';
-  for (const table of ['input-facts', 'output-facts', 'grid-facts']) fillTable(table, []);
+  clearFacts();
+  tell('');
 }
 
 /** The page while the worker works. */
@@ -76,6 +74,7 @@ export function showBusy(): void {
   element('error').hidden = true;
   element('busy').hidden = false;
   element('verdict').textContent = 'Converting…';
+  element('remedy').textContent = '';
   element<HTMLProgressElement>('progress').removeAttribute('value');
   element('phase').textContent = '';
   enableDownloads(false);
@@ -89,46 +88,28 @@ export function showProgress(fraction: number, phase: string): void {
 
 /** The verdict in words, and the numbers. */
 export function showResult({ report }: Conversion): void {
-  const { input, grid, output, seconds } = report;
-  document.body.dataset.verdict = output.twoManifold ? 'good' : 'bad';
+  const { output } = report;
+  document.body.dataset.verdict = output.manifold ? 'good' : 'bad';
   element('verdict').textContent = verdictOf(report.output);
   const faces = [`${number.format(output.triangles)} triangles`];
   if (output.quads > 0) faces.push(`${number.format(output.quads)} quads`);
   element('output-name').textContent = faces.join(', ');
-  fillTable('input-facts', inputFacts(input));
-  fillTable('output-facts', [
-    ['Vertices', number.format(output.vertices)],
-    ['Triangles', number.format(output.triangles)],
-    ['Quads', number.format(output.quads)],
-    ['Parts', number.format(output.components)],
-    ['Euler characteristic', number.format(output.eulerCharacteristic)],
-    ['Closed', yes(output.closed)],
-    ['2-manifold', yes(output.twoManifold)],
-    ['Inserted vertices', number.format(output.insertedVertices)],
-    ['Split vertices', number.format(output.splitVertices)],
-    ['Link vertices', number.format(output.linkVertices)],
-    ['Flipped edges', number.format(output.flippedEdges)],
-    ['Dropped pillows', number.format(output.droppedPillows)],
-  ]);
-  fillTable('grid-facts', [
-    ['Build', `${decimal.format(seconds.build)} s`],
-    ['Extract', `${decimal.format(seconds.extract)} s`],
-    ['Leaves', number.format(grid.leaves)],
-    ['Hits', number.format(grid.hits)],
-    ['Depth reached', number.format(grid.depth)],
-    ['Topology resolved', grid.topologyResolved ? 'yes' : 'not known'],
-    ['Grid', `${decimal.format(grid.bytes / 2 ** 20)} MB`],
-    ['Heap', `${decimal.format(report.peakBytes / 2 ** 20)} MB`],
-  ]);
+  element('remedy').textContent = remedyOf(report.input);
+  showFacts(report);
   finish('done');
   enableDownloads(true);
 }
 
-/** An error, as text. */
+/** What is wrong with the input, in words. */
+export function tell(story: string): void {
+  element('story').textContent = story;
+}
+
+/** An error, as text; what encloses nothing can at least be kept open. */
 export function showError(message: string): void {
-  const box = element('error');
-  box.textContent = message;
-  box.hidden = false;
+  element('error-text').textContent = message;
+  element('keep-open').hidden = !message.startsWith('NOT_CLOSED');
+  element('error').hidden = false;
   element('verdict').textContent = 'No result.';
   finish('error');
 }
@@ -139,46 +120,14 @@ function finish(state: 'done' | 'error'): void {
 }
 
 function verdictOf(output: Conversion['report']['output']): string {
-  const parts = output.components === 1 ? '1 part' : `${number.format(output.components)} parts`;
+  const rims = `with ${count(output.boundaryLoops, 'boundary loop')}`;
+  const kind = output.manifold ? '2-manifold' : 'not 2-manifold';
   return [
-    output.closed ? 'Closed' : 'Not closed',
-    output.twoManifold ? '2-manifold' : 'not 2-manifold',
-    parts,
+    output.closed ? 'Closed' : 'Open',
+    output.closed ? kind : `${kind} ${rims}`,
+    count(output.components, 'part'),
     `Euler characteristic ${number.format(output.eulerCharacteristic)}`,
   ].join(' · ');
-}
-
-function inputFacts(input: InputReport): [string, string][] {
-  const facts: [string, string][] = [
-    ['Vertices (joined)', number.format(input.vertices)],
-    ['Triangles', number.format(input.triangles)],
-    ['Parts', number.format(input.components)],
-    ['Closed', yes(input.closed)],
-    ['Non-manifold edges', number.format(input.nonManifoldEdges)],
-    ['Back-to-back faces', number.format(input.cancelledFaces)],
-    ['Faces without area', number.format(input.degenerateFaces)],
-    ['Lattice step', decimal.format(input.latticeStep)],
-  ];
-  if (input.flipped) facts.push(['Was inside out', 'yes, turned']);
-  return facts;
-}
-
-const yes = (value: boolean): string => (value ? 'yes' : 'no');
-
-function fillTable(id: string, facts: [string, string][]): void {
-  const body = element(id).querySelector('tbody');
-  body?.replaceChildren(
-    ...facts.map(([name, value]) => {
-      const row = document.createElement('tr');
-      const head = document.createElement('th');
-      head.scope = 'row';
-      head.textContent = name;
-      const cell = document.createElement('td');
-      cell.textContent = value;
-      row.append(head, cell);
-      return row;
-    }),
-  );
 }
 
 function enableDownloads(enabled: boolean): void {

@@ -6,6 +6,7 @@ import {
   Color,
   DirectionalLight,
   Float32BufferAttribute,
+  Group,
   HemisphereLight,
   LineBasicMaterial,
   LineSegments,
@@ -15,18 +16,26 @@ import {
   PerspectiveCamera,
   Plane,
   Scene,
+  Sphere,
   Vector3,
   WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { PolygonMeshInput } from 'kdmanifold';
 import { toBufferGeometry } from 'kdmanifold/three';
-import { creases } from './creases';
+import { CreaseFinder } from './crease-finder';
+import type { Finding, Kind } from './findings';
+import { turnByKey } from './keyboard';
+import { paint, type Paint } from './overlay';
 
 interface View {
   element: HTMLElement;
   scene: Scene;
+  /** Holds what is drawn, turned so that up is up. */
+  root: Group;
   drawn: Drawn[];
+  /** Defects painted over what is drawn. */
+  paints: Paint[];
 }
 
 // The material's name says what the thing is there for.
@@ -51,8 +60,9 @@ export class Stage {
   readonly #cut = new Plane(new Vector3(-1, 0, 0), 1);
   readonly #host: HTMLElement;
   readonly #lines: Lines = { wireframe: false, creases: true };
+  readonly #creases = new CreaseFinder();
+  #sphere = new Sphere(new Vector3(), 1);
   #centre = new Vector3();
-  #radius = 1;
   #scheduled = false;
 
   constructor(
@@ -72,7 +82,11 @@ export class Stage {
     this.#camera.up.set(0, 0, 1);
     this.#controls = new OrbitControls(this.#camera, host);
     this.#controls.addEventListener('change', () => this.draw());
-    host.addEventListener('keydown', (event) => this.#onKey(event));
+    host.addEventListener('keydown', (event) => {
+      if (!turnByKey(event, this.#camera, this.#controls.target)) return;
+      this.#controls.update();
+      this.draw();
+    });
     new ResizeObserver(() => this.draw()).observe(host);
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.#recolour());
     this.resetView();
@@ -84,17 +98,39 @@ export class Stage {
     for (const object of view.drawn) {
       object.geometry.dispose();
       object.material.dispose();
-      view.scene.remove(object);
+      view.root.remove(object);
     }
     view.drawn = [];
+    this.#clearPaints(view);
     if (mesh !== null) {
       const geometry = toBufferGeometry(mesh);
       if (which === 'input') this.#frame(geometry);
       view.drawn = this.#dress(geometry);
-      view.scene.add(...view.drawn);
+      view.root.add(...view.drawn);
+      void this.#addCreases(view, geometry);
     }
     this.#applyLines();
     this.#recolour();
+  }
+
+  /** Paints defects over the input, in addition to those that are there. */
+  paint(findings: Finding[]): void {
+    const { paints, root } = this.#views.input;
+    for (const finding of findings) {
+      const made = paint(finding, this.#cut);
+      paints.push(made);
+      root.add(...made.objects);
+    }
+    this.draw();
+  }
+
+  /** Shows or hides one kind of defect. */
+  showPaint(kind: Kind, visible: boolean): void {
+    for (const made of this.#views.input.paints) {
+      if (made.kind !== kind) continue;
+      for (const object of made.objects) object.visible = visible;
+    }
+    this.draw();
   }
 
   /** Switches lines on and off. */
@@ -104,16 +140,24 @@ export class Stage {
     this.draw();
   }
 
+  /** Which of the model's axes points up. */
+  setUp(axis: 'y' | 'z'): void {
+    for (const { root } of Object.values(this.#views)) {
+      root.rotation.x = axis === 'y' ? Math.PI / 2 : 0;
+    }
+    this.#lookAgain();
+  }
+
   /** Cuts away a share (0 to 1) of the model from one side. */
   setCut(share: number): void {
-    this.#cut.constant = this.#centre.x + this.#radius * (1.001 - 2 * share);
+    this.#cut.constant = this.#centre.x + this.#sphere.radius * (1.001 - 2 * share);
     this.draw();
   }
 
   /** Turns back to where the camera was at first. */
   resetView(): void {
     const away = new Vector3(-0.9, -1.5, 0.95).normalize();
-    const distance = (this.#radius * 1.12) / Math.sin((this.#camera.fov * Math.PI) / 360);
+    const distance = (this.#sphere.radius * 1.12) / Math.sin((this.#camera.fov * Math.PI) / 360);
     this.#camera.position.copy(this.#centre).addScaledVector(away, distance);
     this.#camera.near = distance / 100;
     this.#camera.far = distance * 20;
@@ -145,25 +189,42 @@ export class Stage {
       geometry,
       new MeshBasicMaterial({ name: 'wire', wireframe: true, clippingPlanes }),
     );
-    const positions = geometry.getAttribute('position').array;
-    const index =
-      geometry.getIndex()?.array ?? Uint32Array.from({ length: positions.length / 3 }, (_, i) => i);
-    const edges = new LineSegments(
-      new BufferGeometry().setAttribute(
-        'position',
-        new Float32BufferAttribute(creases(positions, index), 3),
-      ),
-      new LineBasicMaterial({ name: 'crease', clippingPlanes }),
-    );
-    return [faces, backs, wires, edges];
+    return [faces, backs, wires];
+  }
+
+  // The sharp edges come when they are found, unless something else is shown by then.
+  async #addCreases(view: View, geometry: BufferGeometry): Promise<void> {
+    const lines = await this.#creases.find(geometry);
+    if (view.drawn[0]?.geometry !== geometry) return;
+    const ends = new BufferGeometry();
+    ends.setAttribute('position', new Float32BufferAttribute(lines, 3));
+    const material = new LineBasicMaterial({ name: 'crease', clippingPlanes: [this.#cut] });
+    const edges = new LineSegments(ends, material);
+    view.drawn.push(edges);
+    view.root.add(edges);
+    this.#applyLines();
+    this.#recolour();
+  }
+
+  #clearPaints(view: View): void {
+    for (const { objects, dispose } of view.paints) {
+      view.root.remove(...objects);
+      dispose();
+    }
+    view.paints = [];
   }
 
   #frame(geometry: BufferGeometry): void {
     geometry.computeBoundingSphere();
     const sphere = geometry.boundingSphere;
     if (sphere === null || !(sphere.radius > 0)) return;
-    this.#centre = sphere.center.clone();
-    this.#radius = sphere.radius;
+    this.#sphere = sphere;
+    this.#lookAgain();
+  }
+
+  #lookAgain(): void {
+    const { root } = this.#views.input;
+    this.#centre = this.#sphere.center.clone().applyEuler(root.rotation);
     this.resetView();
   }
 
@@ -203,38 +264,11 @@ export class Stage {
       this.#renderer.render(scene, this.#camera);
     }
   }
-
-  #onKey(event: KeyboardEvent): void {
-    const turn: Record<string, [number, number]> = {
-      ArrowLeft: [0.1, 0],
-      ArrowRight: [-0.1, 0],
-      ArrowUp: [0, -0.1],
-      ArrowDown: [0, 0.1],
-    };
-    const zoom: Record<string, number> = { '+': 0.9, '=': 0.9, '-': 1.1 };
-    const offset = this.#camera.position.clone().sub(this.#controls.target);
-    const [around, over] = turn[event.key] ?? [0, 0];
-    const scale = zoom[event.key] ?? 1;
-    if (around === 0 && over === 0 && scale === 1) return;
-    event.preventDefault();
-    const { z } = offset;
-    const flat = Math.hypot(offset.x, offset.y);
-    const tilt = Math.min(1.5, Math.max(-1.5, Math.atan2(z, flat) + over * -1));
-    const heading = Math.atan2(offset.y, offset.x) + around;
-    const length = offset.length() * scale;
-    offset.set(
-      length * Math.cos(tilt) * Math.cos(heading),
-      length * Math.cos(tilt) * Math.sin(heading),
-      length * Math.sin(tilt),
-    );
-    this.#camera.position.copy(this.#controls.target).add(offset);
-    this.#controls.update();
-    this.draw();
-  }
 }
 
 function makeView(element: HTMLElement): View {
   const scene = new Scene();
-  scene.add(new HemisphereLight(0xffffff, 0x8090a4, 1.5));
-  return { element, scene, drawn: [] };
+  const root = new Group();
+  scene.add(new HemisphereLight(0xffffff, 0x8090a4, 1.5), root);
+  return { element, scene, root, drawn: [], paints: [] };
 }

@@ -39,6 +39,10 @@ const settled = () =>
   page.waitForFunction(() => ['done', 'error'].includes(document.body.dataset.state), null, {
     timeout: 60_000,
   });
+const inspected = () =>
+  page.waitForFunction(() => document.body.dataset.inspection === 'done', null, {
+    timeout: 60_000,
+  });
 const busyThenSettled = async (action) => {
   await page.evaluate(() => (document.body.dataset.state = 'waiting'));
   await action();
@@ -73,6 +77,10 @@ test('starts with a sample already converted', async () => {
   expect(await fact('input-facts', 'Parts')).toBe('5');
   expect(await fact('output-facts', '2-manifold')).toBe('yes');
   expect(await fact('grid-facts', 'Build')).toMatch(/^[\d.]+ s$/);
+  await inspected();
+  expect(await text('#story')).toMatch(
+    /^The input has 5 parts and is closed; \d+ faces cross each other\.$/,
+  );
   await page.screenshot({ path: join(screenshots, 'start.png') });
 });
 
@@ -88,6 +96,78 @@ test('a chosen file is converted', async () => {
   await choose('ring.stl', torus());
   expect(await text('#verdict')).toBe('Closed · 2-manifold · 1 part · Euler characteristic 0');
   expect(await text('#input-name')).toBe('ring.stl, 1,024 triangles');
+});
+
+// A cube without one of its triangles, with another one twice and one of no area, and beside it a
+// cube inside out.
+function broken() {
+  const { positions, indices } = cube();
+  const doubled = indices.subarray(6, 9);
+  const open = { positions, indices: [...indices.subarray(3), ...doubled, 0, 0, 1] };
+  const inverted = cube(2, [3, 0, 0]);
+  return together(open, { ...inverted, indices: inverted.indices.slice().reverse() });
+}
+const legend = () => page.locator('#legend label').allInnerTexts();
+const switchOf = (kind) => page.locator(`#legend input[data-kind="${kind}"]`);
+
+test('defects are told in words, counted and painted, each kind to be switched off', async () => {
+  await choose('broken.obj', broken());
+  await inspected();
+  expect(await text('#story')).toBe(
+    'The input has 2 parts; it is open (3 edges round 1 hole), 3 edges have three or more faces, ' +
+      '12 faces are turned the wrong way, 1 face is doubled, 1 face has no area, ' +
+      'and 2 faces cross each other.',
+  );
+  expect(await legend()).toEqual([
+    'Open edges (3)',
+    'Edges of three or more faces (3)',
+    'Faces turned the wrong way (12)',
+    'Doubled faces (1)',
+    'Faces without area (1)',
+    'Crossing faces (2)',
+  ]);
+  await page.screenshot({ path: join(screenshots, 'defects.png') });
+  const picture = async () => {
+    await page.waitForTimeout(300);
+    return page.locator('#input-view').screenshot();
+  };
+  const painted = await picture();
+  for (const kind of ['open', 'crowded', 'flipped']) {
+    await switchOf(kind).uncheck();
+    expect(await differentPixels(page, await picture(), painted)).toBeGreaterThan(few);
+    await switchOf(kind).check();
+  }
+  expect(await differentPixels(page, await picture(), painted)).toBeLessThan(few);
+});
+
+test('what is switched off stays off with the next model', async () => {
+  await switchOf('open').uncheck();
+  const { positions, indices } = cube();
+  await choose('open.stl', { positions, indices: indices.slice(6) });
+  await inspected();
+  expect(await text('#story')).toBe('The input has 1 part; it is open (4 edges round 1 hole).');
+  expect(await switchOf('open').isChecked()).toBe(false);
+  await switchOf('open').check();
+});
+
+test('a clean model has nothing painted on it', async () => {
+  await choose('cube.off', cube());
+  await inspected();
+  expect(await text('#story')).toBe('The input has 1 part and is closed and free of defects.');
+  expect(await page.locator('#legend').isVisible()).toBe(false);
+});
+
+test('a new model does not wait for the inspection of the one before', async () => {
+  // Ten thousand triangles on each other, in a corner: fifty million pairs to be looked at.
+  const { positions, indices } = cube();
+  const corner = [1, 1, 1, 1.01, 1, 1, 1, 1.01, 1];
+  const copies = Array.from({ length: 10_000 }, () => [8, 9, 10]).flat();
+  const slow = { positions: [...positions, ...corner], indices: [...indices, ...copies] };
+  await page.locator('#file').setInputFiles(file('slow.ply', together(slow)));
+  await page.waitForFunction(() => /crossings…/.test(document.querySelector('#story').innerText));
+  await choose('ring.stl', torus());
+  await inspected();
+  expect(await text('#story')).toBe('The input has 1 part and is closed and free of defects.');
 });
 
 test('a dropped file is converted', async () => {
@@ -133,6 +213,20 @@ test('wireframe, edges and cut change the picture, not the result', async () => 
   expect(await page.getAttribute('body', 'data-state')).toBe('done');
 });
 
+test('up may be another axis', async () => {
+  const picture = async () => {
+    await page.waitForTimeout(300);
+    return page.locator('#stage').screenshot();
+  };
+  // As is usual for OBJ.
+  expect(await page.inputValue('#up')).toBe('y');
+  const before = await picture();
+  await page.selectOption('#up', 'z');
+  expect(await differentPixels(page, await picture(), before)).toBeGreaterThan(few);
+  await page.selectOption('#up', 'y');
+  expect(await differentPixels(page, await picture(), before)).toBeLessThan(few);
+});
+
 test('the view turns by keyboard and comes back', async () => {
   const picture = async () => {
     await page.waitForTimeout(300);
@@ -157,13 +251,31 @@ test.each(['obj', 'stl', 'ply'])('the result can be downloaded as %s', async (fo
   else expect(faults(mesh)).toEqual([]);
 });
 
-test('an open mesh: the error is text on the page, with its code and the edge', async () => {
+test('an open mesh becomes a solid', async () => {
   const { positions, indices } = cube();
   await choose('open.ply', { positions, indices: indices.slice(3) });
-  expect(await text('#error')).toMatch(/^NOT_CLOSED: .*edge/);
+  await inspected();
+  expect(await text('#verdict')).toBe('Closed · 2-manifold · 1 part · Euler characteristic 2');
+  expect(await text('#story')).toBe('The input has 1 part; it is open (3 edges round 1 hole).');
+  await page.screenshot({ path: join(screenshots, 'open.png') });
+});
+
+test('what encloses nothing: the error is text on the page, and there is a way on', async () => {
+  const { positions, indices } = cube();
+  await choose('square.ply', { positions, indices: indices.slice(0, 6) });
+  expect(await text('#error-text')).toMatch(/^NOT_CLOSED: .*encloses nothing/);
   expect(await text('#verdict')).toBe('No result.');
   expect(await page.locator('#save-obj').isDisabled()).toBe(true);
   await page.screenshot({ path: join(screenshots, 'error.png') });
+  await busyThenSettled(() => page.locator('#keep-open').click());
+  expect(await page.locator('#error').isVisible()).toBe(false);
+  expect(await text('#verdict')).toBe(
+    'Open · 2-manifold with 1 boundary loop · 1 part · Euler characteristic 1',
+  );
+  expect(await page.inputValue('#inside')).toBe('sheet');
+  expect(await page.locator('#save-obj').isDisabled()).toBe(false);
+  await page.locator('summary').click();
+  await busyThenSettled(() => page.selectOption('#inside', 'repair'));
 });
 
 test('a file that is no mesh, and a file of an unknown type', async () => {

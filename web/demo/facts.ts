@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// The tables of numbers below the views.
+import type { InputReport, Report } from 'kdmanifold';
+import { element } from './element';
+
+const number = new Intl.NumberFormat('en');
+const decimal = new Intl.NumberFormat('en', { maximumSignificantDigits: 3 });
+
+/** All there is to be counted about a conversion. */
+export function showFacts(report: Report): void {
+  const { input, grid, output, seconds } = report;
+  fillTable('input-facts', inputFacts(input));
+  fillTable('output-facts', [
+    ['Vertices', number.format(output.vertices)],
+    ['Triangles', number.format(output.triangles)],
+    ['Quads', number.format(output.quads)],
+    ['Parts', number.format(output.components)],
+    ['Euler characteristic', number.format(output.eulerCharacteristic)],
+    ['Closed', yes(output.closed)],
+    ['2-manifold', yes(output.twoManifold)],
+    ['Inserted vertices', number.format(output.insertedVertices)],
+    ['Split vertices', number.format(output.splitVertices)],
+    ['Link vertices', number.format(output.linkVertices)],
+    ['Flipped edges', number.format(output.flippedEdges)],
+    ['Dropped pillows', number.format(output.droppedPillows)],
+  ]);
+  fillTable('grid-facts', [
+    ['Build', `${decimal.format(seconds.build)} s`],
+    ['Extract', `${decimal.format(seconds.extract)} s`],
+    ['Leaves', number.format(grid.leaves)],
+    ['Hits', number.format(grid.hits)],
+    ['Depth reached', number.format(grid.depth)],
+    ['Topology resolved', grid.topologyResolved ? 'yes' : 'not known'],
+    ['Grid', `${decimal.format(grid.bytes / 2 ** 20)} MB`],
+    ['Heap', `${decimal.format(report.peakBytes / 2 ** 20)} MB`],
+  ]);
+}
+
+/** Empties the tables. */
+export function clearFacts(): void {
+  for (const table of ['input-facts', 'output-facts', 'grid-facts']) fillTable(table, []);
+}
+
+function inputFacts(input: InputReport): [string, string][] {
+  const facts: [string, string][] = [
+    ['Vertices (joined)', number.format(input.vertices)],
+    ['Triangles', number.format(input.triangles)],
+    ['Parts', number.format(input.components)],
+    ['Closed', yes(input.closed)],
+    ['Non-manifold edges', number.format(input.nonManifoldEdges)],
+    ['Back-to-back faces', number.format(input.cancelledFaces)],
+    ['Faces without area', number.format(input.degenerateFaces)],
+    ['Lattice step', decimal.format(input.latticeStep)],
+  ];
+  if (input.flipped) facts.push(['Was inside out', 'yes, turned']);
+  return facts;
+}
+
+const yes = (value: boolean): string => (value ? 'yes' : 'no');
+
+function fillTable(id: string, facts: [string, string][]): void {
+  const body = element(id).querySelector('tbody');
+  body?.replaceChildren(
+    ...facts.map(([name, value]) => {
+      const row = document.createElement('tr');
+      const head = document.createElement('th');
+      head.scope = 'row';
+      head.textContent = name;
+      const cell = document.createElement('td');
+      cell.textContent = value;
+      row.append(head, cell);
+      return row;
+    }),
+  );
+}

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+// What is wrong with an input, kind by kind, and where to paint it. Runs in the worker.
+import type { MeshDefects, MeshInput } from 'kdmanifold';
+
+/** The kinds of defects that the page tells apart, in the order in which it names them. */
+export const kinds = [
+  'open',
+  'crowded',
+  'pinched',
+  'disagreeing',
+  'flipped',
+  'doubled',
+  'degenerate',
+  'crossing',
+] as const;
+export type Kind = (typeof kinds)[number];
+
+/** One kind of defect, found at least once. */
+export interface Finding {
+  kind: Kind;
+  /** Edges, vertices or faces at fault. */
+  count: number;
+  shape: 'lines' | 'faces' | 'points';
+  /** Ends of lines, corners of triangles, or points: three numbers each. */
+  positions: Float32Array<ArrayBuffer>;
+}
+
+/** What is known of an input apart from its defects. */
+export interface Summary {
+  parts: number;
+  openParts: number;
+  insideOutParts: number;
+  cavities: number;
+  holes: number;
+  closed: boolean;
+}
+
+export function summaryOf({ parts, boundaryLoops, balanced }: MeshDefects): Summary {
+  return {
+    parts: parts.length,
+    openParts: parts.filter((part) => !part.closed).length,
+    insideOutParts: parts.filter((part) => part.insideOut).length,
+    cavities: parts.filter((part) => part.cavity).length,
+    holes: boundaryLoops.length,
+    closed: balanced,
+  };
+}
+
+/** All kinds but the crossings. */
+export function findingsOf(mesh: MeshInput, defects: MeshDefects): Finding[] {
+  const { nonManifoldEdges, nonManifoldVertices } = defects;
+  // Where edges have too many faces, so have their ends: no need to say it twice.
+  const ends = new Set(nonManifoldEdges);
+  const pinched = nonManifoldVertices.filter((vertex) => !ends.has(vertex));
+  const degenerate = [...defects.degenerateFaces, ...defects.zeroAreaFaces];
+  const list: Finding[] = [
+    lines('open', mesh, defects.boundaryEdges),
+    lines('crowded', mesh, nonManifoldEdges),
+    { kind: 'pinched', count: pinched.length, shape: 'points', positions: gather(mesh, pinched) },
+    lines('disagreeing', mesh, defects.misorientedEdges),
+    faces('flipped', mesh, facesInsideOut(defects)),
+    faces('doubled', mesh, defects.duplicateFaces),
+    // They have no area to be seen by.
+    {
+      ...lines('degenerate', mesh, outlines(mesh, degenerate)),
+      count: degenerate.length,
+    },
+  ];
+  return list.filter(({ count }) => count > 0);
+}
+
+/** The kind that takes longest to find. */
+export function crossingsOf(mesh: MeshInput, crossing: Uint32Array): Finding[] {
+  return crossing.length === 0 ? [] : [faces('crossing', mesh, crossing)];
+}
+
+function facesInsideOut({ partOf, parts }: MeshDefects): number[] {
+  const list: number[] = [];
+  partOf.forEach((part, face) => {
+    if (parts[part]?.insideOut) list.push(face);
+  });
+  return list;
+}
+
+function lines(kind: Kind, mesh: MeshInput, ends: ArrayLike<number>): Finding {
+  return { kind, count: ends.length / 2, shape: 'lines', positions: gather(mesh, ends) };
+}
+
+function faces(kind: Kind, mesh: MeshInput, list: ArrayLike<number>): Finding {
+  const corners = cornersOf(mesh, list);
+  return { kind, count: list.length, shape: 'faces', positions: gather(mesh, corners) };
+}
+
+function cornersOf({ indices }: MeshInput, list: ArrayLike<number>): Uint32Array {
+  const corners = new Uint32Array(3 * list.length);
+  for (let i = 0; i < corners.length; ++i) {
+    const corner = 3 * at(list, Math.floor(i / 3)) + (i % 3);
+    corners[i] = indices ? at(indices, corner) : corner;
+  }
+  return corners;
+}
+
+function outlines(mesh: MeshInput, list: ArrayLike<number>): Uint32Array {
+  const corners = cornersOf(mesh, list);
+  const ends = new Uint32Array(2 * corners.length);
+  for (let i = 0; i < corners.length; ++i) {
+    ends[2 * i] = at(corners, i);
+    ends[2 * i + 1] = at(corners, i % 3 === 2 ? i - 2 : i + 1);
+  }
+  return ends;
+}
+
+function gather({ positions }: MeshInput, vertices: ArrayLike<number>): Float32Array<ArrayBuffer> {
+  const gathered = new Float32Array(3 * vertices.length);
+  for (let i = 0; i < gathered.length; ++i) {
+    gathered[i] = at(positions, 3 * at(vertices, Math.floor(i / 3)) + (i % 3));
+  }
+  return gathered;
+}
+
+const at = (array: ArrayLike<number>, i: number): number => array[i] as number;

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// The verdict in words: what was wrong with the input, and what has become of it.
+import type { InputReport } from 'kdmanifold';
+import type { Finding, Kind, Summary } from './findings';
+
+const number = new Intl.NumberFormat('en');
+const list = new Intl.ListFormat('en');
+
+/** "1 hole", "1,200 holes". */
+export function count(n: number, one: string, many = `${one}s`): string {
+  return `${number.format(n)} ${n === 1 ? one : many}`;
+}
+
+const words: Record<Kind, (n: number, summary: Summary) => string> = {
+  open: (n, { holes }) =>
+    holes > 0
+      ? `it is open (${count(n, 'edge')} round ${count(holes, 'hole')})`
+      : `it is open at ${count(n, 'edge')}`,
+  crowded: (n) => `${count(n, 'edge has', 'edges have')} three or more faces`,
+  pinched: (n) => `it is pinched in ${count(n, 'vertex', 'vertices')}`,
+  disagreeing: (n) => `faces disagree across ${count(n, 'edge')}`,
+  flipped: (n) => `${count(n, 'face is', 'faces are')} turned the wrong way`,
+  doubled: (n) => `${count(n, 'face is', 'faces are')} doubled`,
+  degenerate: (n) => `${count(n, 'face has', 'faces have')} no area`,
+  crossing: (n) => count(n, 'face crosses others', 'faces cross each other'),
+};
+
+/** One or two sentences; `crossingsKnown`: has the search for them come to its end? */
+export function storyOf(summary: Summary, findings: Finding[], crossingsKnown: boolean): string {
+  const known = new Map(findings.map((finding) => [finding.kind, finding.count]));
+  const clauses = [...known].map(([kind, n]) => words[kind](n, summary));
+  const extent = [count(summary.parts, 'part')];
+  if (summary.cavities > 0) extent.push(count(summary.cavities, 'cavity', 'cavities'));
+  const clean = summary.closed && clauses.length === 0 && crossingsKnown;
+  const closed = summary.closed ? ' and is closed' : '';
+  return [
+    `The input has ${list.format(extent)}${closed}${clean ? ' and free of defects' : ''}`,
+    clauses.length > 0 ? `; ${list.format(clauses)}` : '',
+    crossingsKnown ? '.' : '. Looking for crossings…',
+  ].join('');
+}
+
+/** What the conversion did about it; empty if nothing. */
+export function remedyOf(report: InputReport): string {
+  const done: string[] = [];
+  if (report.flipped) done.push('all of it was turned over');
+  if (report.cancelledFaces > 0) {
+    done.push(`${count(report.cancelledFaces, 'face')} back to back were left out`);
+  }
+  if (report.degenerateFaces > 0) {
+    done.push(`${count(report.degenerateFaces, 'face')} without area were left out`);
+  }
+  return done.length === 0 ? '' : `To convert it, ${list.format(done)}.`;
+}
