@@ -149,6 +149,7 @@ inline val from_defects(const MeshDefects& defects) {
   to.set("degenerateFaces", from_indices(defects.degenerate_faces));
   to.set("zeroAreaFaces", from_indices(defects.zero_area_faces));
   to.set("duplicateFaces", from_indices(defects.duplicate_faces));
+  to.set("flippedFaces", from_indices(defects.flipped_faces));
   to.set("selfIntersectingFaces", from_indices(defects.self_intersecting_faces));
   to.set("selfIntersections", static_cast<double>(defects.self_intersections));
   to.set("nestingKnown", defects.nesting_known);

@@ -67,6 +67,7 @@ Json defects_json(const MeshDefects& defects) {
           {"degenerateFaces", defects.degenerate_faces.size()},
           {"zeroAreaFaces", defects.zero_area_faces.size()},
           {"duplicateFaces", defects.duplicate_faces.size()},
+          {"flippedFaces", defects.flipped_faces.size()},
           {"selfIntersections", defects.self_intersections},
           {"selfIntersectingFaces", defects.self_intersecting_faces.size()},
           {"openParts", sums.open},
@@ -172,6 +173,7 @@ std::string defects_text(const MeshDefects& defects) {
   add(defects.degenerate_faces.size(), "faces with a repeated vertex");
   add(defects.zero_area_faces.size(), "faces without area");
   add(defects.duplicate_faces.size(), "doubled faces");
+  add(defects.flipped_faces.size(), "faces turned the wrong way");
   add(defects.self_intersections, "pairs of triangles cross");
   add(sums.inside_out, "parts inside out");
   const char* nesting = defects.nesting_known ? "" : " (too many overlap to look for them)";

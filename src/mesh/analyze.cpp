@@ -13,6 +13,7 @@
 #include "mesh/check_positions.h"
 #include "mesh/describe.h"
 #include "mesh/faults.h"
+#include "mesh/orient.h"
 #include "mesh/parts.h"
 #include "mesh/polygons.h"
 #include "mesh/scale.h"
@@ -54,6 +55,24 @@ std::vector<Index> find_zero_area(const Mesh& mesh, const std::vector<Index>& pa
   return found;
 }
 
+// A quad's two triangles share an edge, so they are turned together.
+std::vector<Index> find_flipped(const Mesh& mesh, const std::vector<Index>& part_of) {
+  std::vector<Triangle> triangles;
+  std::vector<Index> face_of;
+  Polygons(mesh).for_each_triangle([&](Index face, const Triangle& t) {
+    if (part_of[face] == kNone) return;
+    triangles.push_back(t);
+    face_of.push_back(face);
+  });
+  const Orientation orientation = orient(triangles, mesh.positions);
+  std::vector<Index> found;
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    if (orientation.flip[i] == 0) continue;
+    if (found.empty() || found.back() != face_of[i]) found.push_back(face_of[i]);
+  }
+  return found;
+}
+
 }  // namespace
 
 MeshDefects analyze(const Mesh& mesh, const AnalyzeOptions& options) try {
@@ -72,6 +91,11 @@ MeshDefects analyze(const Mesh& mesh, const AnalyzeOptions& options) try {
   defects.balanced =
       !defects.parts.empty() && std::all_of(defects.parts.begin(), defects.parts.end(),
                                             [](const MeshPart& part) { return part.closed; });
+  // A closed part that is turned outwards, or inwards where it bounds a cavity, is as it should be.
+  if (!defects.balanced || std::any_of(defects.parts.begin(), defects.parts.end(),
+                                       [](const MeshPart& part) { return part.inside_out; })) {
+    defects.flipped_faces = find_flipped(points, faults.part_of);
+  }
   defects.zero_area_faces = find_zero_area(points, faults.part_of);
   if (options.self_intersections) {
     SelfIntersections found = find_self_intersections(points);

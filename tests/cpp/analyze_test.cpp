@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <set>
 #include <string>
 
@@ -43,7 +44,7 @@ struct Expected {
   Edges boundary_edges = {}, non_manifold_edges = {}, misoriented_edges = {};
   Loops boundary_loops = {};
   Indices non_manifold_vertices = {}, degenerate_faces = {}, zero_area_faces = {};
-  Indices duplicate_faces = {};
+  Indices duplicate_faces = {}, flipped_faces = {};
   std::size_t parts = 1;
 };
 
@@ -57,6 +58,7 @@ void expect_defects(const MeshDefects& found, const Expected& expected) {
   EXPECT_EQ(found.degenerate_faces, expected.degenerate_faces);
   EXPECT_EQ(found.zero_area_faces, expected.zero_area_faces);
   EXPECT_EQ(found.duplicate_faces, expected.duplicate_faces);
+  EXPECT_EQ(found.flipped_faces, expected.flipped_faces);
   EXPECT_EQ(found.parts.size(), expected.parts);
   EXPECT_TRUE(found.self_intersecting_faces.empty()) << "nobody asked for them";
 }
@@ -177,12 +179,39 @@ TEST(Analyze, AFlippedFace) {
   Mesh mesh = cube_mesh();
   std::swap(mesh.triangles[2][0], mesh.triangles[2][1]);  // 4 5 6
   const MeshDefects found = analyze(mesh);
-  expect_defects(found, {.misoriented_edges = {{4, 5}, {4, 6}, {5, 6}}});
+  expect_defects(found, {.misoriented_edges = {{4, 5}, {4, 6}, {5, 6}}, .flipped_faces = {2}});
   EXPECT_FALSE(found.balanced);
   EXPECT_TRUE(found.report.closed) << "no edge has one face";
   EXPECT_FALSE(found.parts[0].closed);
   EXPECT_FALSE(found.parts[0].inside_out);
   EXPECT_EQ(found.parts[0].genus, kNone);
+}
+
+TEST(Analyze, FacesOfWholePartsTurnedInwards) {
+  const Mesh cube = cube_mesh();
+  Indices all(12);
+  std::iota(all.begin(), all.end(), 0);
+  const MeshDefects inverted = analyze(shapes::inverted(cube));
+  expect_defects(inverted, {.flipped_faces = all});
+  EXPECT_TRUE(inverted.parts[0].inside_out);
+  // Open parts as well, by what can be seen of them; cavities are as they should be.
+  Mesh open = shapes::inverted(cube);
+  open.triangles.erase(open.triangles.begin() + 2, open.triangles.begin() + 4);
+  all.resize(10);
+  EXPECT_EQ(analyze(open).flipped_faces, all);
+  const Mesh hollow = shapes::merged(
+      {shapes::box({0, 0, 0}, {4, 4, 4}), shapes::inverted(shapes::box({1, 1, 1}, {2, 2, 2}))});
+  EXPECT_EQ(analyze(hollow).flipped_faces, Indices{});
+}
+
+// Faces are triangles first, then quads: here five quads, of which one is turned, and a triangle.
+TEST(Analyze, AFlippedQuad) {
+  Mesh mesh = cube_mesh();
+  mesh.quads = {{3, 2, 1, 0}, {0, 4, 5, 1}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+  mesh.triangles = {{4, 5, 6}};
+  const MeshDefects found = analyze(mesh);
+  EXPECT_EQ(found.flipped_faces, (Indices{2}));
+  EXPECT_EQ(found.boundary_edges, (Edges{{6, 4}, {4, 7}, {7, 6}}));
 }
 
 TEST(Analyze, ADoubledFace) {
@@ -338,7 +367,8 @@ TEST(Analyze, LoopsAtVerticesAndEdgesThatAreNotManifold) {
       {.boundary_edges = {{3, 0}, {0, 5}, {7, 0}, {1, 2}, {4, 1}, {1, 6}, {2, 3}, {5, 4}, {6, 7}},
        .non_manifold_edges = {{0, 1}},
        .boundary_loops = {{3, 0, 5, 4, 1, 2}},
-       .non_manifold_vertices = {0, 1}});
+       .non_manifold_vertices = {0, 1},
+       .flipped_faces = {0, 1}});  // the third hides the upper sides of two
 }
 
 TEST(Analyze, SelfIntersectionsOnRequest) {

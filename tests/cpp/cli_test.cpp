@@ -330,6 +330,7 @@ TEST_F(Cli, StatsDescribeTheInput) {
   EXPECT_EQ(keys(json["input"]), (Names{"vertices", "triangles", "closed", "boundaryEdges",
                                         "nonManifoldEdges", "degenerateFaces", "components"}));
   EXPECT_EQ(keys(json["seconds"]), (Names{"read", "analyze"}));
+  EXPECT_EQ(json["defects"]["flippedFaces"], 0);
   EXPECT_EQ(json["input"]["triangles"], 12);
   EXPECT_EQ(json["input"]["closed"], false);
   const Json& defects = json["defects"];

@@ -16,6 +16,7 @@ const lists = [
   'degenerateFaces',
   'zeroAreaFaces',
   'duplicateFaces',
+  'flippedFaces',
   'selfIntersectingFaces',
 ];
 
@@ -74,6 +75,7 @@ test('flipped, doubled and degenerate faces', () => {
   flipped.set([2, 0, 3]); // it was 0, 2, 3
   expect(found(kdm.analyze({ positions, indices: flipped }))).toEqual({
     misorientedEdges: [0, 2, 0, 3, 2, 3],
+    flippedFaces: [0],
   });
   const more = Uint32Array.of(...indices, 2, 3, 0, 5, 5, 6);
   const defects = kdm.analyze({ positions, indices: more }, { selfIntersections: true });
@@ -98,6 +100,7 @@ test('cavities, parts inside out and parts in others', () => {
   ]);
   const wrong = kdm.analyze(together(cube(2), inverted(cube(2, [5, 0, 0])), cube(1)));
   expect(wrong.parts.map(({ insideOut }) => insideOut)).toEqual([false, true, false]);
+  expect([...wrong.flippedFaces]).toEqual(Array.from({ length: 12 }, (_, i) => 12 + i));
   expect(wrong.parts[2]).toMatchObject({ inside: 0, cavity: false });
 });
 

@@ -58,7 +58,7 @@ export function findingsOf(mesh: MeshInput, defects: MeshDefects): Finding[] {
     lines('crowded', mesh, nonManifoldEdges),
     { kind: 'pinched', count: pinched.length, shape: 'points', positions: gather(mesh, pinched) },
     lines('disagreeing', mesh, defects.misorientedEdges),
-    faces('flipped', mesh, facesInsideOut(defects)),
+    faces('flipped', mesh, defects.flippedFaces),
     faces('doubled', mesh, defects.duplicateFaces),
     // They have no area to be seen by.
     {
@@ -72,14 +72,6 @@ export function findingsOf(mesh: MeshInput, defects: MeshDefects): Finding[] {
 /** The kind that takes longest to find. */
 export function crossingsOf(mesh: MeshInput, crossing: Uint32Array): Finding[] {
   return crossing.length === 0 ? [] : [faces('crossing', mesh, crossing)];
-}
-
-function facesInsideOut({ partOf, parts }: MeshDefects): number[] {
-  const list: number[] = [];
-  partOf.forEach((part, face) => {
-    if (parts[part]?.insideOut) list.push(face);
-  });
-  return list;
 }
 
 function lines(kind: Kind, mesh: MeshInput, ends: ArrayLike<number>): Finding {

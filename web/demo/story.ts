@@ -28,6 +28,8 @@ const words: Record<Kind, (n: number, summary: Summary) => string> = {
 /** One or two sentences; `crossingsKnown`: has the search for them come to its end? */
 export function storyOf(summary: Summary, findings: Finding[], crossingsKnown: boolean): string {
   const known = new Map(findings.map((finding) => [finding.kind, finding.count]));
+  // Where faces are turned it goes without saying that their neighbours disagree.
+  if (known.has('flipped')) known.delete('disagreeing');
   const clauses = [...known].map(([kind, n]) => words[kind](n, summary));
   const extent = [count(summary.parts, 'part')];
   if (summary.cavities > 0) extent.push(count(summary.cavities, 'cavity', 'cavities'));

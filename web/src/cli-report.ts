@@ -68,6 +68,7 @@ function countsOf(defects: MeshDefects): Record<string, number> {
     degenerateFaces: report.degenerateFaces,
     zeroAreaFaces: defects.zeroAreaFaces.length,
     duplicateFaces: report.duplicateFaces,
+    flippedFaces: defects.flippedFaces.length,
     selfIntersections: defects.selfIntersections,
     selfIntersectingFaces: defects.selfIntersectingFaces.length,
     openParts: sum((part) => Number(!part.closed)),
@@ -169,6 +170,7 @@ const names: [string, string][] = [
   ['degenerateFaces', 'faces with a repeated vertex'],
   ['zeroAreaFaces', 'faces without area'],
   ['duplicateFaces', 'doubled faces'],
+  ['flippedFaces', 'faces turned the wrong way'],
   ['selfIntersections', 'pairs of triangles cross'],
   ['insideOutParts', 'parts inside out'],
 ];

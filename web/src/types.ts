@@ -368,6 +368,11 @@ export interface MeshDefects {
   /** Faces over the same vertices as a face before. */
   duplicateFaces: Uint32Array<ArrayBuffer>;
   /**
+   * Turned against their neighbours, or with their whole part inwards, as far as volume and what can be seen
+   * from outside tell: those that the inside rule `repair` turns.
+   */
+  flippedFaces: Uint32Array<ArrayBuffer>;
+  /**
    * Only if asked for: faces that cross or touch others where they share no vertex or edge, and those that
    * lie on each other.
    */

@@ -48,6 +48,9 @@ struct MeshDefects {
   std::vector<Index> degenerate_faces;       ///< a vertex repeated
   std::vector<Index> zero_area_faces;        ///< three (four) vertices, exactly on one line
   std::vector<Index> duplicate_faces;        ///< over the same vertices as a face before
+  /// Turned against their neighbours, or with their whole part inwards, as far as volume and what
+  /// can be seen from outside tell: those that the inside rule `kRepair` turns.
+  std::vector<Index> flipped_faces;
   /// Only if asked for: faces that cross or touch others where they share no vertex or edge, and
   /// those that lie on each other. The number of their pairs: see `SelfIntersections`.
   std::vector<Index> self_intersecting_faces;
