@@ -97,6 +97,15 @@ function take(name: string, mesh: MeshInput): void {
   void convert();
 }
 
+// Reading or converting, whichever is under way; the inspection of what has been read goes on.
+function stop(): void {
+  running?.abort();
+  if (input !== null) return;
+  inspector.stop();
+  document.body.dataset.inspection = 'done';
+  showError('ABORTED: the file has not been read to its end');
+}
+
 // What the inspection finds comes bit by bit.
 function hear(name: string, reply: Reply): void {
   if (reply.type === 'mesh') return take(name, reply.mesh);
@@ -174,7 +183,7 @@ function connect(): void {
   });
   element('cut').addEventListener('input', updateCut);
   element('reset-view').addEventListener('click', () => stage.resetView());
-  element('cancel').addEventListener('click', () => running?.abort());
+  element('cancel').addEventListener('click', stop);
   for (const format of ['obj', 'stl', 'ply'] as const) {
     element(`save-${format}`).addEventListener('click', () => void save(format));
   }

@@ -307,6 +307,17 @@ test('stop ends a long conversion', async () => {
   expect(await text('#verdict')).toMatch(/^Closed/);
 });
 
+test('stop ends the reading of a file', async () => {
+  const rows = Array.from({ length: 400_000 }, (_, i) => `v ${i} ${i % 7} ${i % 11}\nf 1 2 3\n`);
+  const buffer = Buffer.from(rows.join(''));
+  await page.locator('#file').setInputFiles({ name: 'long.obj', mimeType: 'text/plain', buffer });
+  await page.locator('#cancel').click();
+  await settled();
+  expect(await text('#error-text')).toMatch(/^ABORTED/);
+  await choose('cube.off', cube());
+  expect(await text('#verdict')).toMatch(/^Closed/);
+});
+
 test('dark and on a narrow screen', async () => {
   const { page: narrow, errors: narrowErrors } = await openPage(browser, `${server.address}/`, {
     viewport: { width: 400, height: 800 },
