@@ -15,14 +15,25 @@ struct DualMesh {
   std::vector<Index> hit;       ///< per triangle: the hit it stands for
   std::vector<char> strip;      ///< per triangle: bit i, half-edge i crosses a strip
   std::vector<Index> first;     ///< per vertex: a half-edge that starts there; on the boundary, the
-                                ///< one from which `turn` goes through all
+                                ///< one from which `turn` goes through all; kNone: dropped
   std::vector<Index> leaf;      ///< per vertex: the leaf it lies in; kNone for inserted ones
   std::vector<Vec3> position;   ///< per vertex, in lattice coordinates
+  std::vector<char> edited;     ///< per hit: more was done to its triangles than division
+  std::vector<Index> touched;   ///< hits whose triangles were edited or divided, in turn
+  std::vector<char> cut;        ///< per loop: vertices were split off
+  std::vector<char> through;    ///< per hit: bit i, as half-edge i was linked at first, the surface
+                                ///< goes through the inside of the minimal face there
   Index dropped_pillows = 0;
   bool open = false;  ///< there is a boundary
 
   Index triangles() const { return static_cast<Index>(hit.size()); }
   bool dropped(Index triangle) const { return vertex[3 * triangle] == kNone; }
+  /// Notes that flips, splits or separated edges change the triangles of this hit.
+  void mark_edited(Index of_hit) {
+    if (edited.size() <= of_hit) edited.resize(of_hit + 1, 0);
+    edited[of_hit] = 1;
+    touched.push_back(of_hit);
+  }
 
   /// Appends triangle (a, b, c), unlinked; returns its first half-edge.
   Index add_triangle(Index of_hit, Index a, Index b, Index c);

@@ -8,89 +8,119 @@
 // it is done only where the plain mesh fails; each round adds detail, and full detail bounds them.
 #include "extract/embed.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 
+#include "extract/clashes.h"
 #include "extract/emit.h"
 
 namespace kdm {
 namespace {
 
-class Search {
+class Rounds {
  public:
-  Search(const GridData& grid, const DualMesh& loops) : grid_(grid), loops_(loops) {}
-
-  // Triangles of the mesh that cross others or have no area.
-  std::vector<Index> faulty(const DualMesh& mesh, std::uint64_t& crossings) const {
-    std::vector<Index> numbers;  // in the dual mesh, of those that are handed out
-    for (Index t = 0; t < mesh.triangles(); ++t) {
-      if (!mesh.dropped(t)) numbers.push_back(t);
-    }
-    const Mesh out = emit(grid_, mesh, {}, false, true);
-    const SelfIntersections found = find_self_intersections(out);
-    crossings = found.pairs;
-    std::vector<Index> faulty;
-    for (const Index face : found.faces) faulty.push_back(numbers[face]);
-    for (Index face = 0; face < out.triangles.size(); ++face) {
-      if (without_area(out, out.triangles[face])) faulty.push_back(numbers[face]);
-    }
-    return faulty;
+  Rounds(const GridData& grid, const std::vector<LatticeBox>& boxes,
+         const std::vector<Vec3>& points, double margin, const EmbedSteps& steps, DualMesh& loops,
+         DualMesh& mesh)
+      : grid_(grid), boxes_(boxes), points_(points), steps_(steps), loops_(loops), mesh_(mesh) {
+    details_.hits.assign(grid.hits.size(), Detail::kPlain);
+    details_.loops.assign(loops.first.size(), Detail::kPlain);
+    details_.margin = margin;
   }
 
-  // Adds detail to the hits of these triangles, and to their loops; false if there is none to add.
-  bool add(const DualMesh& mesh, const std::vector<Index>& faulty, Details& details) const {
-    std::vector<Index> hits;
-    for (const Index t : faulty) hits.push_back(mesh.hit[t]);
-    std::sort(hits.begin(), hits.end());
-    hits.erase(std::unique(hits.begin(), hits.end()), hits.end());
-    bool any = false;
-    for (const Index hit : hits) {
-      const Detail detail = more(details.hits[hit]);
-      any = any || detail != details.hits[hit];
-      details.hits[hit] = detail;
-      for (int i = 0; i < 3; ++i) {
-        Detail& loop = details.loops[loops_.vertex[3 * hit + i]];
-        any = any || loop < detail;
-        loop = std::max(loop, detail);
-      }
+  Embedding run() {
+    round_positions(loops_, 0);
+    mesh_.position = loops_.position;
+    steps_.make(details_, nullptr, mesh_);
+    round_positions(mesh_, loops_.first.size());
+    Clashes clashes(grid_, boxes_, points_, loops_);
+    clashes.find(mesh_);
+    int round = 0;
+    for (;;) {
+      const std::vector<Index> faulty = clashes.hits(mesh_);
+      if (faulty.empty() || !add(faulty)) break;
+      steps_.report(++round);
+      clashes.find_again(mesh_, remake());
     }
-    return any;
+    Embedding result;
+    result.crossings = clashes.pairs();
+    result.refined_hits =
+        static_cast<Index>(std::count_if(details_.hits.begin(), details_.hits.end(),
+                                         [](Detail detail) { return detail != Detail::kPlain; }));
+    return result;
   }
 
  private:
+  // Adds detail to these hits and to their loops; false if there is none to add.
+  bool add(const std::vector<Index>& hits) {
+    around_.clear();
+    for (const Index hit : hits) {
+      const Detail detail = more(details_.hits[hit]);
+      if (detail != details_.hits[hit]) around_.push_back(hit);
+      details_.hits[hit] = detail;
+      for (int i = 0; i < 3; ++i) {
+        const Index v = loops_.vertex[3 * hit + i];
+        if (details_.loops[v] >= detail) continue;
+        details_.loops[v] = detail;
+        steps_.move(loops_, v, detail);
+        loops_.position[v] = rounded(loops_.position[v]);
+        add_ring(v);
+      }
+    }
+    return !around_.empty();
+  }
+
+  void add_ring(Index v) {
+    Index half_edge = loops_.first[v];
+    do {
+      around_.push_back(half_edge / 3);
+      half_edge = loops_.turn(half_edge);
+    } while (half_edge != loops_.first[v] && half_edge != kNone);
+  }
+
+  // Returns the hits whose triangles may have changed.
+  std::vector<Index> remake() {
+    mesh_.touched.clear();
+    const std::size_t vertices = mesh_.first.size();
+    Restored part = restore(loops_, around_, mesh_);
+    steps_.make(details_, &part, mesh_);
+    round_positions(mesh_, vertices);
+    std::vector<Index> changed = std::move(part.hits);
+    changed.insert(changed.end(), mesh_.touched.begin(), mesh_.touched.end());
+    std::sort(changed.begin(), changed.end());
+    changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+    return changed;
+  }
+
+  void round_positions(DualMesh& mesh, std::size_t first) const {
+    for (std::size_t v = first; v < mesh.position.size(); ++v) {
+      mesh.position[v] = rounded(mesh.position[v]);
+    }
+  }
+
+  Vec3 rounded(const Vec3& position) const {
+    return grid_.lattice.to_lattice(single_precision(grid_.lattice, position));
+  }
+
   static Detail more(Detail detail) {
     return detail == Detail::kCentred ? detail : static_cast<Detail>(static_cast<int>(detail) + 1);
   }
 
-  static bool without_area(const Mesh& mesh, const Triangle& t) {
-    const Vec3 u = mesh.positions[t[1]] - mesh.positions[t[0]];
-    const Vec3 v = mesh.positions[t[2]] - mesh.positions[t[0]];
-    return u.cross(v).isZero(0);
-  }
-
   const GridData& grid_;
-  const DualMesh& loops_;
+  const std::vector<LatticeBox>& boxes_;
+  const std::vector<Vec3>& points_;
+  const EmbedSteps& steps_;
+  DualMesh& loops_;
+  DualMesh& mesh_;
+  Details details_;
+  std::vector<Index> around_;  // hits to be made again
 };
 
 }  // namespace
 
-Embedding embed(const GridData& grid, const DualMesh& loops,
-                const std::function<DualMesh(const Details&)>& make) {
-  const Search search(grid, loops);
-  Embedding result;
-  result.mesh = make({});
-  std::vector<Index> faulty = search.faulty(result.mesh, result.crossings);
-  Details details;
-  details.hits.assign(grid.hits.size(), Detail::kPlain);
-  details.loops.assign(loops.first.size(), Detail::kPlain);
-  while (!faulty.empty() && search.add(result.mesh, faulty, details)) {
-    result.mesh = make(details);
-    faulty = search.faulty(result.mesh, result.crossings);
-  }
-  result.refined_hits =
-      static_cast<Index>(std::count_if(details.hits.begin(), details.hits.end(),
-                                       [](Detail detail) { return detail != Detail::kPlain; }));
-  return result;
+Embedding embed(const GridData& grid, const std::vector<LatticeBox>& boxes,
+                const std::vector<Vec3>& points, double margin, const EmbedSteps& steps,
+                DualMesh& loops, DualMesh& mesh) {
+  return Rounds(grid, boxes, points, margin, steps, loops, mesh).run();
 }
 
 }  // namespace kdm

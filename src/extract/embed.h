@@ -5,20 +5,32 @@
 #include <functional>
 
 #include "extract/refine.h"
+#include "extract/restore.h"
 
 namespace kdm {
 
 /// What `embed` did and what it left.
 struct Embedding {
-  DualMesh mesh;
   Index refined_hits = 0;       ///< that got a vertex
   std::uint64_t crossings = 0;  ///< pairs of triangles that still cross or touch
 };
 
-/// Makes the mesh again and again, with more detail wherever its triangles cross, touch or have no
-/// area, until none do or there is nothing left to add. `loops` is the mesh with its loops found,
-/// `make` makes the result from it.
-Embedding embed(const GridData& grid, const DualMesh& loops,
-                const std::function<DualMesh(const Details&)>& make);
+/// How `embed` has the mesh changed.
+struct EmbedSteps {
+  /// Moves a loop's vertex as this detail asks for, in `loops`.
+  std::function<void(DualMesh& loops, Index loop, Detail detail)> move;
+  /// Does to the part, in which the mesh is as the loops are, what the details ask for. Without a
+  /// part: to all.
+  std::function<void(const Details& details, const Restored* part, DualMesh& mesh)> make;
+  /// Called before every round.
+  std::function<void(int round)> report;
+};
+
+/// Makes the mesh, and parts of it again and again with more detail, wherever its triangles cross,
+/// touch or have no area, until none do or there is nothing left to add. `loops` is the mesh with
+/// its loops found, `mesh` a copy. All coordinates are rounded to what 32 bits in model units hold.
+Embedding embed(const GridData& grid, const std::vector<LatticeBox>& boxes,
+                const std::vector<Vec3>& points, double margin, const EmbedSteps& steps,
+                DualMesh& loops, DualMesh& mesh);
 
 }  // namespace kdm

@@ -21,16 +21,30 @@ Index quad_diagonal(const DualMesh& mesh, Index t) {
   return kNone;
 }
 
+// In the result, where dropped ones are left out.
+std::vector<Index> numbers_of_vertices(const DualMesh& mesh) {
+  std::vector<Index> numbers(mesh.first.size());
+  Index number = 0;
+  for (Index v = 0; v < numbers.size(); ++v) {
+    numbers[v] = number;
+    if (mesh.first[v] != kNone) ++number;
+  }
+  return numbers;
+}
+
 }  // namespace
 
 Mesh emit(const GridData& grid, const DualMesh& mesh, const std::vector<Vec3>& normals, bool quads,
           bool single) {
   Mesh out;
   out.positions.reserve(mesh.position.size());
-  for (const Vec3& p : mesh.position) {
-    const Vec3 position = grid.lattice.to_model(p);
-    out.positions.push_back(single ? position.cast<float>().cast<double>() : position);
+  const std::vector<Index> numbers = numbers_of_vertices(mesh);
+  for (Index v = 0; v < mesh.position.size(); ++v) {
+    if (mesh.first[v] == kNone) continue;
+    const Vec3& p = mesh.position[v];
+    out.positions.push_back(single ? single_precision(grid.lattice, p) : grid.lattice.to_model(p));
   }
+  const auto number = [&](Index half_edge) { return numbers[mesh.vertex[half_edge]]; };
   const auto source = [&](Index t) { return grid.source_faces[grid.hits[mesh.hit[t]].plane()]; };
   std::vector<Index> quad_sources;
   std::vector<std::array<float, 3>> quad_normals;
@@ -48,15 +62,15 @@ Mesh emit(const GridData& grid, const DualMesh& mesh, const std::vector<Vec3>& n
     if (mesh.dropped(t)) continue;
     const Index diagonal = quads ? quad_diagonal(mesh, t) : kNone;
     if (diagonal == kNone) {
-      out.triangles.push_back({mesh.vertex[3 * t], mesh.vertex[3 * t + 1], mesh.vertex[3 * t + 2]});
+      out.triangles.push_back({number(3 * t), number(3 * t + 1), number(3 * t + 2)});
       out.source_faces.push_back(source(t));
       add_normals({3 * t, 3 * t + 1, 3 * t + 2}, out.corner_normals);
       continue;
     }
     const Index other = mesh.opposite[diagonal];
     if (other / 3 < t) continue;  // made with its partner
-    out.quads.push_back({mesh.vertex[diagonal], mesh.vertex[previous_in_triangle(other)],
-                         mesh.vertex[other], mesh.vertex[previous_in_triangle(diagonal)]});
+    out.quads.push_back({number(diagonal), number(previous_in_triangle(other)), number(other),
+                         number(previous_in_triangle(diagonal))});
     quad_sources.push_back(source(t));
     add_normals({diagonal, previous_in_triangle(other), other, previous_in_triangle(diagonal)},
                 quad_normals);

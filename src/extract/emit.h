@@ -7,9 +7,14 @@
 
 namespace kdm {
 
-/// The mesh in model units, without dropped triangles. `quads`: two triangles beside a strip become
-/// one quad. `single`: coordinates are rounded to 32 bits. `normals` are those of the half-edges'
-/// corners, or none.
+/// A point in model units as it is handed out in 32 bits.
+inline Vec3 single_precision(const Lattice& lattice, const Vec3& point) {
+  return lattice.to_model(point).cast<float>().cast<double>();
+}
+
+/// The mesh in model units, without dropped triangles and vertices. `quads`: two triangles beside a
+/// strip become one quad. `single`: coordinates are rounded to 32 bits. `normals` are those of the
+/// half-edges' corners, or none.
 Mesh emit(const GridData& grid, const DualMesh& mesh, const std::vector<Vec3>& normals, bool quads,
           bool single);
 

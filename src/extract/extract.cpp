@@ -71,6 +71,9 @@ Vec3 inside(const LatticeBox& box, double tolerance, const Vec3& point) {
   return point.cwiseMax(real(box.lo) + margin).cwiseMin(real(box.hi) - margin);
 }
 
+// Of the tolerance.
+constexpr double kSlightly = 1.0 / 32;
+
 // From loops to faces.
 class Meshing {
  public:
@@ -90,50 +93,131 @@ class Meshing {
     off_ = place_vertices(grid_, boxes_, points_, error_, options_.position, loops_);
   }
 
-  DualMesh faces(ExtractReport& report) {
+  DualMesh faces(const Progress& progress, ExtractReport& report_out) {
+    DualMesh mesh;
     if (options_.strict != Strict::kEmbedded || options_.quads) {
-      return refined(std::move(loops_), {}, report);
+      mesh = std::move(loops_);
+      make({}, nullptr, mesh);
+    } else {
+      mesh = embedded(progress, report_out);
     }
-    Embedding embedding = embed(
-        grid_, loops_, [&](const Details& details) { return refined(loops_, details, report); });
-    report.refined_hits = embedding.refined_hits;
-    report.crossings = embedding.crossings;
-    return std::move(embedding.mesh);
-  }
-
- private:
-  DualMesh refined(DualMesh mesh, const Details& details, ExtractReport& report) const {
-    std::vector<Index> off;
-    std::copy_if(off_.begin(), off_.end(), std::back_inserter(off),
-                 [&](Index v) { return details.of_loop(v) == Detail::kPlain; });
-    for (Index v = 0; v < details.loops.size(); ++v) {
-      if (details.loops[v] < Detail::kInside) continue;
-      const bool centred = details.loops[v] == Detail::kCentred;
-      const Vec3 position = centred ? middle(mesh, v) : mesh.position[v];
-      mesh.position[v] = inside(boxes_[mesh.leaf[v]], grid_.tolerance, position);
-    }
-    report.split_vertices =
-        split_vertices(grid_, boxes_, points_, error_, options_.position, off, mesh);
-    if (!options_.quads)
-      report.link_vertices = refine(grid_, boxes_, points_, details, link_error_, mesh);
-    if (options_.strict != Strict::kOff)
-      report.inserted_vertices = separate_double_edges(points_, mesh);
-    if (options_.unfold && !options_.quads) report.flipped_edges = unfold(grid_, details, mesh);
-    report.dropped_pillows = mesh.dropped_pillows;
+    report_out.split_vertices = splits_.present(mesh);
+    report_out.link_vertices = links_.present(mesh);
+    report_out.inserted_vertices = doubles_.present(mesh);
+    report_out.flipped_edges = flips_;
+    report_out.dropped_pillows = mesh.dropped_pillows;
     return mesh;
   }
 
-  // Of the loop's hits.
-  Vec3 middle(const DualMesh& mesh, Index v) const {
+ private:
+  // Numbers of vertices that a step has added.
+  struct Added {
+    std::vector<std::pair<Index, Index>> ranges;
+
+    template <typename Step>
+    void note(const DualMesh& mesh, const Step& step) {
+      const std::size_t first = mesh.first.size();
+      step();
+      ranges.emplace_back(first, mesh.first.size());
+    }
+    Index present(const DualMesh& mesh) const {
+      Index count = 0;
+      for (const auto& [first, end] : ranges) {
+        for (Index v = first; v < end; ++v) count += mesh.first[v] != kNone ? 1 : 0;
+      }
+      return count;
+    }
+  };
+
+  DualMesh embedded(const Progress& progress, ExtractReport& report_out) {
+    if (!loops_.open) {
+      // Inside of their leaves nearly all triangles are safe from each other.
+      for (Index v = 0; v < loops_.position.size(); ++v) {
+        loops_.position[v] =
+            inside(boxes_[loops_.leaf[v]], kSlightly * grid_.tolerance, loops_.position[v]);
+      }
+    }
+    DualMesh mesh = loops_;
+    EmbedSteps steps;
+    steps.move = [this](DualMesh& loops, Index v, Detail detail) { move(loops, v, detail); };
+    steps.make = [this](const Details& details, const Restored* part, DualMesh& made) {
+      make(details, part, made);
+    };
+    steps.report = [&progress](int round) { report(progress, 0.9 - 0.2 / (1 + round), "faces"); };
+    const Embedding embedding =
+        embed(grid_, boxes_, points_, kSlightly * grid_.tolerance, steps, loops_, mesh);
+    report_out.refined_hits = embedding.refined_hits;
+    report_out.crossings = embedding.crossings;
+    return mesh;
+  }
+
+  void move(DualMesh& loops, Index v, Detail detail) const {
+    if (detail < Detail::kInside) return;
+    const LatticeBox& box = boxes_[loops.leaf[v]];
+    if (detail < Detail::kCentred) {
+      loops.position[v] = inside(box, grid_.tolerance, loops.position[v]);
+      return;
+    }
+    // A small loop stays small, or it would reach over those beside it.
+    const auto [position, radius] = middle(loops, v);
+    loops.position[v] = inside(box, std::min(grid_.tolerance, radius / 4), position);
+  }
+
+  void make(const Details& details, const Restored* part, DualMesh& mesh) {
+    const Index triangles = mesh.triangles();
+    const auto vertices = static_cast<Index>(mesh.first.size());
+    std::vector<Index> off;
+    const std::vector<Index>& candidates = part == nullptr ? off_ : part->cut;
+    std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(off),
+                 [&](Index v) { return details.of_loop(v) == Detail::kPlain; });
+    splits_.note(mesh, [&] {
+      split_vertices(grid_, boxes_, points_, error_, options_.position, off, mesh);
+    });
+    if (!options_.quads) {
+      links_.note(mesh, [&] {
+        refine(grid_, boxes_, points_, details, link_error_, mesh,
+               part == nullptr ? nullptr : &part->hits);
+      });
+    }
+    if (part == nullptr) {
+      if (options_.strict != Strict::kOff) {
+        doubles_.note(mesh, [&] { separate_double_edges(points_, mesh); });
+      }
+      if (options_.unfold && !options_.quads) flips_ += unfold(grid_, details, mesh);
+      return;
+    }
+    const auto with_new = [](std::vector<Index> numbers, Index first, std::size_t end) {
+      for (Index i = first; i < end; ++i) numbers.push_back(i);
+      return numbers;
+    };
+    const std::vector<Index> rings = with_new(part->loops, vertices, mesh.first.size());
+    doubles_.note(mesh, [&] { separate_double_edges(points_, mesh, &rings); });
+    if (!options_.unfold) return;
+    std::vector<Index> changed = part->hits;
+    changed.insert(changed.end(), mesh.touched.begin(), mesh.touched.end());
+    const std::vector<Index> folds = with_new(std::move(changed), triangles, mesh.triangles());
+    flips_ += unfold(grid_, details, mesh, &folds);
+  }
+
+  // Of the loop's hits, and the distance to the furthest.
+  std::pair<Vec3, double> middle(const DualMesh& mesh, Index v) const {
     Vec3 sum = Vec3::Zero();
     int count = 0;
-    Index half_edge = mesh.first[v];
-    do {
-      sum += points_[mesh.hit[half_edge / 3]];
+    const auto for_each_point = [&](const auto& visit) {
+      Index half_edge = mesh.first[v];
+      do {
+        visit(points_[mesh.hit[half_edge / 3]]);
+        half_edge = mesh.turn(half_edge);
+      } while (half_edge != mesh.first[v] && half_edge != kNone);
+    };
+    for_each_point([&](const Vec3& p) {
+      sum += p;
       ++count;
-      half_edge = mesh.turn(half_edge);
-    } while (half_edge != mesh.first[v] && half_edge != kNone);
-    return sum / count;
+    });
+    const Vec3 centre = sum / count;
+    double radius = 0;
+    for_each_point([&](const Vec3& p) { radius = std::max(radius, (p - centre).norm()); });
+    return {centre, radius};
   }
 
   const GridData& grid_;
@@ -144,6 +228,10 @@ class Meshing {
   std::vector<LatticeBox> boxes_;
   std::vector<Vec3> points_;
   std::vector<Index> off_;
+  Added splits_;
+  Added links_;
+  Added doubles_;
+  Index flips_ = 0;
 };
 
 }  // namespace
@@ -157,7 +245,7 @@ ExtractedMesh extract(const Grid& handle, const ExtractOptions& options,
   meshing.find_vertices(progress);
   report(progress, 0.7, "faces");
   ExtractedMesh out;
-  const DualMesh mesh = meshing.faces(out.report);
+  const DualMesh mesh = meshing.faces(progress, out.report);
   if (mesh.open) out.report.boundary_loops = count_boundary_loops(mesh.opposite);
   report(progress, 0.9, "faces");
   std::vector<Vec3> normals;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "extract/envelope.h"
 #include "geometry/quadric.h"
 
 namespace kdm {
@@ -12,6 +13,9 @@ namespace {
 
 // How far an arc between hits of one edge leaves it, as a fraction of their distance.
 constexpr double kArcHeight = 0.05;
+
+// How far a vertex keeps off the sides of its face at most, as a fraction of the face's size.
+constexpr double kPart = 1.0 / 64;
 
 // The side of the face that both hits lie on: its axis, or -1.
 int common_side(const LinkFace& face, const Vec3& p, const Vec3& q) {
@@ -57,6 +61,19 @@ std::optional<LinkFace> face_between(const LatticeBox& first, const LatticeBox& 
     ++flat;
   }
   return flat == 1 ? std::optional(face) : std::nullopt;
+}
+
+Vec3 off_sides(const LinkFace& face, const Vec3& point, double margin) {
+  const Vec3 off = (kPart * (face.hi - face.lo)).cwiseMin(margin);
+  return point.cwiseMax(face.lo + off).cwiseMin(face.hi - off);
+}
+
+bool within(const LinkFace& face, const Vec3& point) {
+  for (int i = 0; i < 3; ++i) {
+    if (i == face.axis) continue;
+    if (!(point[i] > face.lo[i] + kClear && point[i] < face.hi[i] - kClear)) return false;
+  }
+  return true;
 }
 
 Vec3 chord_point(const std::vector<Vec3>& points, const LinkFace& face, Index hit, Index other) {

@@ -18,6 +18,13 @@ struct LinkFace {
 /// The face between two leaves that touch, unless it is a strip.
 std::optional<LinkFace> face_between(const LatticeBox& first, const LatticeBox& second);
 
+/// The point of the face nearest to this one that keeps off its sides, by a part of its size or by
+/// the margin, if that is less.
+Vec3 off_sides(const LinkFace& face, const Vec3& point, double margin);
+
+/// Is the point, which lies in the face's plane, clear of its sides?
+bool within(const LinkFace& face, const Vec3& point);
+
 /// The middle between the two hits; off their line, into the face, if that is one of its sides, so
 /// that arcs over one edge stay apart, nested ones nested.
 Vec3 chord_point(const std::vector<Vec3>& points, const LinkFace& face, Index hit, Index other);

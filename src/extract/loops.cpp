@@ -52,6 +52,8 @@ DualMesh dual_mesh_of(const GridData& grid) {
   mesh.vertex.assign(3 * grid.hits.size(), 0);
   mesh.hit.resize(triangles);
   mesh.strip.assign(triangles, 0);
+  mesh.edited.assign(triangles, 0);
+  mesh.through.assign(triangles, 0);
   for (Index t = 0; t < triangles; ++t) {
     mesh.hit[t] = t;
     const bool reversed = grid.hits[t].reversed();

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "extract/edit.h"
+#include "extract/envelope.h"
 #include "extract/link_point.h"
 #include "geometry/distance.h"
 
@@ -16,7 +17,7 @@ class Refinement {
  public:
   Refinement(const GridData& grid, const std::vector<LatticeBox>& boxes,
              const std::vector<Vec3>& points, const Details& details, double distance,
-             const DualMesh& mesh)
+             DualMesh& mesh)
       : grid_(grid),
         boxes_(boxes),
         points_(points),
@@ -25,31 +26,28 @@ class Refinement {
         mesh_(mesh) {}
 
   // All is found before anything is divided, so half-edge h is still that of hit h / 3.
-  void find() {
-    const auto hits = static_cast<Index>(points_.size());
-    for (Index h = 0; h < 3 * hits; ++h) {
-      const Index other = mesh_.opposite[h];
-      if (mesh_.dropped(h / 3) || other < h || other >= 3 * hits) continue;
-      if ((mesh_.strip[h / 3] >> (h % 3) & 1) != 0) {
-        // Two hits at one point: one vertex, on the edge between their triangles.
-        if (level(h / 3, other / 3) != Detail::kPlain) strips_.push_back(h);
-      } else {
-        look_at_link(h, other);
-      }
-    }
-    for (Index t = 0; t < hits; ++t) {
-      if (mesh_.strip[t] == 0 && !mesh_.dropped(t) && details_.of_hit(t) != Detail::kPlain) {
-        triangles_.push_back(t);
+  void find(const std::vector<Index>* hits) {
+    const auto all = static_cast<Index>(points_.size());
+    if (hits == nullptr) {
+      for (Index t = 0; t < all; ++t) look_at(t, [](Index) { return true; });
+    } else {
+      for (const Index t : *hits) {
+        look_at(t,
+                [&](Index other) { return std::binary_search(hits->begin(), hits->end(), other); });
       }
     }
   }
 
-  void divide(DualMesh& mesh) const {
-    Division division(mesh);
+  void divide() {
+    Division division(mesh_);
     // Hits first: what is divided later is joined to them.
     for (const Index t : triangles_) division.triangle(t, points_[t]);
-    for (const Index h : strips_) division.edge(h, points_[h / 3]);
-    for (const auto& [half_edge, position] : links_) division.edge(half_edge, position);
+    for (const std::vector<Crossing>* crossings : {&strips_, &links_}) {
+      for (const Crossing& c : *crossings) {
+        mesh_.touched.insert(mesh_.touched.end(), {c.half_edge / 3, c.other / 3});
+        division.edge(c.half_edge, c.position);
+      }
+    }
   }
 
   Index vertices() const {
@@ -57,28 +55,72 @@ class Refinement {
   }
 
  private:
+  // A vertex on the edge between two half-edges.
+  struct Crossing {
+    Index half_edge;
+    Index other;
+    Vec3 position;
+  };
+
+  // A link is looked at from its lower half-edge, or from the one whose hit is looked at.
+  template <typename Included>
+  void look_at(Index t, const Included& included) {
+    if (mesh_.dropped(t)) return;
+    const auto half_edges = static_cast<Index>(3 * points_.size());
+    for (Index h = 3 * t; h < 3 * t + 3; ++h) {
+      const Index other = mesh_.opposite[h];
+      if (other >= half_edges || (other < h && included(other / 3))) continue;
+      if ((mesh_.strip[t] >> (h % 3) & 1) != 0) {
+        // Two hits at one point: one vertex, on the edge between their triangles.
+        if (level(t, other / 3) != Detail::kPlain) strips_.push_back({h, other, points_[t]});
+      } else {
+        look_at_link(h, other);
+      }
+    }
+    if (mesh_.strip[t] == 0 && details_.of_hit(t) != Detail::kPlain) triangles_.push_back(t);
+  }
+
   Detail level(Index hit, Index other) const {
     return std::max(details_.of_hit(hit), details_.of_hit(other));
   }
 
   void look_at_link(Index h, Index other) {
-    const Index hit = h / 3;
-    const Index other_hit = other / 3;
-    const Detail detail = level(hit, other_hit);
     const Index a = mesh_.vertex[h];
     const Index b = mesh_.vertex[other];
     const std::optional<LinkFace> face = face_between(boxes_[mesh_.leaf[a]], boxes_[mesh_.leaf[b]]);
     if (!face) return;
-    const Vec3 crossing = crossing_point(*face, mesh_.position[a], mesh_.position[b]);
-    if (detail == Detail::kPlain && fits_chord(*face, hit, other_hit, crossing)) return;
-    if (detail >= Detail::kApart) {
-      links_.emplace_back(h, chord_point(points_, *face, hit, other_hit));
-      return;
+    const Vec3& p = mesh_.position[a];
+    const Vec3& q = mesh_.position[b];
+    const Detail detail = level(h / 3, other / 3);
+    const Vec3 crossing = crossing_point(*face, p, q);
+    std::optional<Vec3> vertex = vertex_on(*face, detail, h / 3, other / 3, crossing);
+    bool through = within(*face, crossing) && !nearly_parallel(q - p, face->axis);
+    if (vertex) {
+      // Arcs over one edge must stay nested.
+      if (detail < Detail::kApart) *vertex = off_sides(*face, *vertex, details_.margin);
+      links_.push_back({h, other, *vertex});
+      through = within(*face, *vertex);
     }
-    const Vec3 corner = crease_point(grid_, points_, *face, hit, other_hit);
-    if (detail == Detail::kFull || misses(hit, corner, other_hit, crossing)) {
-      links_.emplace_back(h, corner);
-    }
+    mark_through(h, through);
+    mark_through(other, through);
+  }
+
+  // What the link needs, if anything.
+  std::optional<Vec3> vertex_on(const LinkFace& face, Detail detail, Index hit, Index other,
+                                const Vec3& crossing) const {
+    if (detail == Detail::kPlain && fits_chord(face, hit, other, crossing)) return std::nullopt;
+    if (detail >= Detail::kApart) return chord_point(points_, face, hit, other);
+    const Vec3 corner = crease_point(grid_, points_, face, hit, other);
+    const bool wanted = detail == Detail::kFull || detail == Detail::kInside ||
+                        misses(hit, corner, other, crossing);
+    return wanted ? std::optional(corner) : std::nullopt;
+  }
+
+  void mark_through(Index half_edge, bool through) {
+    if (mesh_.through.empty()) return;
+    char& bits = mesh_.through[half_edge / 3];
+    const int bit = 1 << half_edge % 3;
+    bits = static_cast<char>(through ? bits | bit : bits & ~bit);
   }
 
   static Vec3 crossing_point(const LinkFace& face, const Vec3& p, const Vec3& q) {
@@ -108,20 +150,20 @@ class Refinement {
   const std::vector<Vec3>& points_;
   const Details& details_;
   double distance_;
-  const DualMesh& mesh_;
+  DualMesh& mesh_;
   std::vector<Index> triangles_;  // of hits that become vertices
-  std::vector<Index> strips_;     // half-edges between two hits that become one
-  std::vector<std::pair<Index, Vec3>> links_;
+  std::vector<Crossing> strips_;  // between two hits that become one vertex
+  std::vector<Crossing> links_;
 };
 
 }  // namespace
 
 Index refine(const GridData& grid, const std::vector<LatticeBox>& boxes,
              const std::vector<Vec3>& points, const Details& details, double distance,
-             DualMesh& mesh) {
+             DualMesh& mesh, const std::vector<Index>* hits) {
   Refinement refinement(grid, boxes, points, details, distance, mesh);
-  refinement.find();
-  if (refinement.vertices() > 0) refinement.divide(mesh);
+  refinement.find(hits);
+  if (refinement.vertices() > 0) refinement.divide();
   return refinement.vertices();
 }
 

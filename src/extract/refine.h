@@ -20,6 +20,7 @@ enum class Detail : std::uint8_t {
 struct Details {
   std::vector<Detail> hits;
   std::vector<Detail> loops;
+  double margin = 0;  ///< least distance of links' vertices from the sides of their faces
 
   Detail of_hit(Index hit) const { return hits.empty() ? Detail::kPlain : hits[hit]; }
   Detail of_loop(Index loop) const { return loops.empty() ? Detail::kPlain : loops[loop]; }
@@ -27,8 +28,9 @@ struct Details {
 
 /// Adds the vertices that the details ask for, and one in each minimal face that an edge of the
 /// mesh crosses further than `distance` (lattice units) from the surface. Returns their number.
+/// Looks at all hits and their links or at those of `hits`, which ascend and are not divided yet.
 Index refine(const GridData& grid, const std::vector<LatticeBox>& boxes,
              const std::vector<Vec3>& points, const Details& details, double distance,
-             DualMesh& mesh);
+             DualMesh& mesh, const std::vector<Index>* hits = nullptr);
 
 }  // namespace kdm

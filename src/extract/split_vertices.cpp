@@ -39,7 +39,8 @@ class Splitting {
         points_(points),
         error_(error),
         position_(position),
-        mesh_(mesh) {}
+        mesh_(mesh),
+        before_(mesh.triangles()) {}
 
   Index run(const std::vector<Index>& vertices) {
     const auto loops = static_cast<Index>(mesh_.first.size());
@@ -73,7 +74,7 @@ class Splitting {
 
   // Such triangles stand for no plane.
   bool filling(Index triangle) const {
-    return triangle >= grid_.hits.size() && filling_[triangle - grid_.hits.size()] != 0;
+    return triangle >= before_ && filling_[triangle - before_] != 0;
   }
 
   void read_ring(Index v) {
@@ -142,6 +143,9 @@ class Splitting {
         folded(polygons_[section.first], target(before), rest, section.position)) {
       return false;
     }
+    for (const Index hit : polygons_) mesh_.mark_edited(hit);
+    if (mesh_.cut.size() <= v) mesh_.cut.resize(v + 1, 0);
+    mesh_.cut[v] = 1;
     const auto w = static_cast<Index>(mesh_.first.size());
     mesh_.position.push_back(section.position);
     mesh_.leaf.push_back(mesh_.leaf[v]);
@@ -193,6 +197,7 @@ class Splitting {
   SplitError error_;
   VertexPosition position_;
   DualMesh& mesh_;
+  Index before_;               // triangles
   double limit_ = 0;           // of the vertex at hand
   std::vector<char> filling_;  // per triangle added
   // Of the vertex at hand: its half-edges, the hits of its polygons and their places in the ring.

@@ -15,9 +15,13 @@ class Separation {
   Separation(const std::vector<Vec3>& hit_points, DualMesh& mesh)
       : hit_points_(hit_points), mesh_(mesh) {}
 
-  Index run() {
+  Index run(const std::vector<Index>* vertices) {
     const auto loops = static_cast<Index>(mesh_.first.size());
-    for (Index v = 0; v < loops; ++v) collect_doubles(v);
+    if (vertices != nullptr) {
+      for (const Index v : *vertices) collect_doubles(v, 0);
+    } else {
+      for (Index v = 0; v < loops; ++v) collect_doubles(v, v + 1);
+    }
     while (!doubles_.empty()) {
       const auto [from, to] = doubles_.back();
       const Index half_edge = second_half_edge(from, to);
@@ -31,17 +35,17 @@ class Separation {
   }
 
  private:
-  // Vertices that several half-edges of v's ring go to; each edge is looked at from its lower end.
-  void collect_doubles(Index v) {
+  // Vertices from `least` on that several half-edges of v's ring go to.
+  void collect_doubles(Index v, Index least) {
     ring_.clear();
     const Index first = mesh_.first[v];
     Index half_edge = first;
     do {
       const Index to = mesh_.vertex[next_in_triangle(half_edge)];
-      if (to > v) ring_.push_back(to);
+      if (to >= least) ring_.push_back(to);
       half_edge = mesh_.turn(half_edge);
     } while (half_edge != first && half_edge != kNone);
-    if (half_edge == kNone && start_into(v) > v) ring_.push_back(start_into(v));
+    if (half_edge == kNone && start_into(v) >= least) ring_.push_back(start_into(v));
     constexpr std::size_t kShort = 12;
     if (ring_.size() <= kShort) {
       bool doubled = false;
@@ -73,12 +77,14 @@ class Separation {
   Index start_into(Index v) const { return mesh_.vertex[mesh_.boundary_into(v)]; }
 
   void insert_vertex(Index ab) {
+    mesh_.mark_edited(mesh_.hit[ab / 3]);
     if (mesh_.opposite[ab] == kNone) {
       const Index b = mesh_.vertex[next_in_triangle(ab)];
       divide_boundary(ab, 0.5 * (mesh_.position[mesh_.vertex[ab]] + mesh_.position[b]), mesh_);
       return;
     }
     const Index ba = mesh_.opposite[ab];
+    mesh_.mark_edited(mesh_.hit[ba / 3]);
     const Index c = mesh_.vertex[previous_in_triangle(ab)];
     const Index d = mesh_.vertex[previous_in_triangle(ba)];
     const Vec3 position = between(ab / 3, ba / 3, mesh_.vertex[ab], mesh_.vertex[ba]);
@@ -102,8 +108,9 @@ class Separation {
 
 }  // namespace
 
-Index separate_double_edges(const std::vector<Vec3>& hit_points, DualMesh& mesh) {
-  return Separation(hit_points, mesh).run();
+Index separate_double_edges(const std::vector<Vec3>& hit_points, DualMesh& mesh,
+                            const std::vector<Index>* vertices) {
+  return Separation(hit_points, mesh).run(vertices);
 }
 
 }  // namespace kdm

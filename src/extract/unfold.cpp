@@ -27,9 +27,11 @@ class Unfolding {
     }
   }
 
-  Index run() {
-    for (Index t = 0; t < mesh_.triangles(); ++t) {
-      if (!mesh_.dropped(t) && folded(t)) queue_.push_back(t);
+  Index run(const std::vector<Index>* triangles) {
+    if (triangles != nullptr) {
+      for (const Index t : *triangles) look_at(t);
+    } else {
+      for (Index t = 0; t < mesh_.triangles(); ++t) look_at(t);
     }
     Index flips = 0;
     while (!queue_.empty()) {
@@ -41,6 +43,10 @@ class Unfolding {
   }
 
  private:
+  void look_at(Index t) {
+    if (!mesh_.dropped(t) && folded(t)) queue_.push_back(t);
+  }
+
   bool folded(Index t) const {
     const Index* v = &mesh_.vertex[3 * t];
     return alignment(v[0], v[1], v[2], mesh_.hit[t]) < kFolded;
@@ -76,6 +82,8 @@ class Unfolding {
     }
     if (best.half_edge == kNone) return false;
     const Index other = mesh_.opposite[best.half_edge] / 3;
+    mesh_.mark_edited(mesh_.hit[t]);
+    mesh_.mark_edited(mesh_.hit[other]);
     if (best.swap_hits) std::swap(mesh_.hit[t], mesh_.hit[other]);
     flip(best.half_edge);
     ++flips_[t];
@@ -177,8 +185,9 @@ class Unfolding {
 
 }  // namespace
 
-Index unfold(const GridData& grid, const Details& details, DualMesh& mesh) {
-  return Unfolding(grid, details, mesh).run();
+Index unfold(const GridData& grid, const Details& details, DualMesh& mesh,
+             const std::vector<Index>* triangles) {
+  return Unfolding(grid, details, mesh).run(triangles);
 }
 
 }  // namespace kdm

@@ -10,6 +10,8 @@ namespace kdm {
 /// where the two triangles then lie better: leaves of different size beside a concave crease leave
 /// such folds, which reach beyond the surface. No edge is doubled by it, so an index mesh that is
 /// 2-manifold stays so. Triangles of hits with details are left alone. Returns the number of flips.
-Index unfold(const GridData& grid, const Details& details, DualMesh& mesh);
+/// Looks for folds among all triangles or among `triangles`.
+Index unfold(const GridData& grid, const Details& details, DualMesh& mesh,
+             const std::vector<Index>* triangles = nullptr);
 
 }  // namespace kdm
