@@ -79,4 +79,4 @@ grid.extract({ depth: 3 });
 // @ts-expect-error grids come from buildGrid
 new Grid();
 
-export { bytes, geometry, handles, loop, triangles, words };
+export { bytes, geometry, handles, loop, shell, triangles, words };
