@@ -94,7 +94,7 @@ export function showResult({ report }: Conversion): void {
   const faces = [`${number.format(output.triangles)} triangles`];
   if (output.quads > 0) faces.push(`${number.format(output.quads)} quads`);
   element('output-name').textContent = faces.join(', ');
-  element('remedy').textContent = remedyOf(report.input);
+  element('remedy').textContent = remedyOf(report);
   showFacts(report);
   finish('done');
   enableDownloads(true);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The verdict in words: what was wrong with the input, and what has become of it.
-import type { InputReport } from 'kdmanifold';
+import type { Report } from 'kdmanifold';
 import type { Finding, Kind, Summary } from './findings';
 
 const number = new Intl.NumberFormat('en');
+const percent = new Intl.NumberFormat('en', { style: 'percent', maximumSignificantDigits: 2 });
 const list = new Intl.ListFormat('en');
 
 /** "1 hole", "1,200 holes". */
@@ -43,14 +44,20 @@ export function storyOf(summary: Summary, findings: Finding[], crossingsKnown: b
 }
 
 /** What the conversion did about it; empty if nothing. */
-export function remedyOf(report: InputReport): string {
+export function remedyOf({ input, grid, output }: Report): string {
   const done: string[] = [];
-  if (report.flipped) done.push('all of it was turned over');
-  if (report.cancelledFaces > 0) {
-    done.push(`${count(report.cancelledFaces, 'face')} back to back were left out`);
+  if (input.flipped) done.push('all of it turned over');
+  if (input.turnedFaces > 0) done.push(`${count(input.turnedFaces, 'face')} turned`);
+  if (grid.inventedHits > 0) {
+    const share = percent.format(output.inventedArea / output.area);
+    done.push(`holes and gaps closed, which invented ${share} of the area`);
   }
-  if (report.degenerateFaces > 0) {
-    done.push(`${count(report.degenerateFaces, 'face')} without area were left out`);
-  }
-  return done.length === 0 ? '' : `To convert it, ${list.format(done)}.`;
+  const left = (n: number, one: string, many?: string): void => {
+    if (n > 0) done.push(`${count(n, one, many)} left out`);
+  };
+  left(input.duplicateFaces, 'copy of a face', 'copies of faces');
+  left(input.cancelledFaces, 'face back to back', 'faces back to back');
+  left(input.degenerateFaces, 'face without area', 'faces without area');
+  left(output.droppedCrumbs, 'sliver beside closed holes', 'slivers beside closed holes');
+  return done.length === 0 ? '' : `Done about it: ${list.format(done)}.`;
 }

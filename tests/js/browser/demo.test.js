@@ -118,6 +118,9 @@ test('defects are told in words, counted and painted, each kind to be switched o
       '12 faces are turned the wrong way, 1 face is doubled, 1 face has no area, ' +
       'and 2 faces cross each other.',
   );
+  expect(await text('#remedy')).toMatch(
+    /^Done about it: 12 faces turned, .* 1 copy of a face left out/,
+  );
   expect(await legend()).toEqual([
     'Open edges (3)',
     'Edges of three or more faces (3)',
@@ -257,6 +260,9 @@ test('an open mesh becomes a solid', async () => {
   await inspected();
   expect(await text('#verdict')).toBe('Closed · 2-manifold · 1 part · Euler characteristic 2');
   expect(await text('#story')).toBe('The input has 1 part; it is open (3 edges round 1 hole).');
+  expect(await text('#remedy')).toMatch(
+    /^Done about it: holes and gaps closed, which invented [\d.]+% of the area\.$/,
+  );
   await page.screenshot({ path: join(screenshots, 'open.png') });
 });
 
