@@ -235,9 +235,10 @@ inline val parse_mesh(val bytes, val format, std::string name) {
   });
 }
 
-inline val format_mesh(val mesh, val format) {
+inline val format_mesh(val mesh, val format, bool exact) {
   return guard([&] {
-    return from_bytes(kdm::format_mesh(to_mesh(mesh), to_enum(format, "format", kFormats)));
+    return from_bytes(kdm::format_mesh(to_mesh(mesh), to_enum(format, "format", kFormats),
+                                       exact ? Digits::kExact : Digits::kShortest));
   });
 }
 

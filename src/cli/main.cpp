@@ -79,7 +79,10 @@ int run(const Command& command) {
   ExtractedMesh result = extract(grid, command.extract);
   round_to_single(result);
   report.seconds.extract = watch.lap();
-  if (!command.output.empty()) write_mesh(command.output, result);
+  const bool exact = command.extract.strict == Strict::kEmbedded;
+  if (!command.output.empty()) {
+    write_mesh(command.output, result, exact ? Digits::kExact : Digits::kShortest);
+  }
   if (!command.save_grid.empty()) write_grid(command.save_grid, grid);
   report.seconds.write = watch.lap();
   report.input = grid.input();

@@ -257,6 +257,9 @@ ExtractedMesh extract(const Grid& handle, const ExtractOptions& options,
     out.report.dropped_parts = kept.dropped;
     out.report.dropped_crumbs = kept.crumbs;
     out.report.invented_area = kept.invented_area;
+    if (kept.dropped + kept.crumbs > 0 && out.report.crossings.value_or(0) > 0) {
+      out.report.crossings = find_self_intersections(out).pairs;  // some went with the parts
+    }
   }
   report(progress, 1.0, "faces");
   return out;

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "kdmanifold/mesh.h"
+#include "kdmanifold/mesh_io.h"
 
 namespace kdm {
 
@@ -20,9 +21,9 @@ Mesh parse_ply(std::string_view bytes, std::string_view name);
 Mesh parse_off(std::string_view text, std::string_view name);
 
 /// The mesh must have passed `check_writable`.
-std::string format_obj(const Mesh& mesh);
+std::string format_obj(const Mesh& mesh, Digits digits);
 std::string format_stl(const Mesh& mesh);
 std::string format_ply(const Mesh& mesh);
-std::string format_off(const Mesh& mesh);
+std::string format_off(const Mesh& mesh, Digits digits);
 
 }  // namespace kdm

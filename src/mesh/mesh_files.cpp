@@ -19,8 +19,8 @@ Mesh read_mesh(const std::string& path) {
   }
 }
 
-void write_mesh(const std::string& path, const Mesh& mesh) {
-  write_file(path, format_mesh(mesh, format_from_path(path)));
+void write_mesh(const std::string& path, const Mesh& mesh, Digits digits) {
+  write_file(path, format_mesh(mesh, format_from_path(path), digits));
 }
 
 }  // namespace kdm

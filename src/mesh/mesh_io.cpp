@@ -89,18 +89,18 @@ Mesh parse_mesh(std::string_view bytes, MeshFormat format, std::string_view name
   throw Error(ErrorCode::kInvalidOption, "format is not a MeshFormat");
 }
 
-std::string format_mesh(const Mesh& mesh, MeshFormat format) {
+std::string format_mesh(const Mesh& mesh, MeshFormat format, Digits digits) {
   check_writable(mesh);
   try {
     switch (format) {
       case MeshFormat::kObj:
-        return format_obj(mesh);
+        return format_obj(mesh, digits);
       case MeshFormat::kStl:
         return format_stl(mesh);
       case MeshFormat::kPly:
         return format_ply(mesh);
       case MeshFormat::kOff:
-        return format_off(mesh);
+        return format_off(mesh, digits);
     }
   } catch (const std::bad_alloc&) {
     throw Error(ErrorCode::kOutOfMemory, "not enough memory to write the mesh");

@@ -10,6 +10,7 @@
 #include "kdmanifold/error.h"
 #include "mesh/formats.h"
 #include "mesh/mesh_builder.h"
+#include "mesh/text_position.h"
 #include "mesh/text_scanner.h"
 
 namespace kdm {
@@ -126,14 +127,14 @@ class Normals {
 
 }  // namespace
 
-std::string format_obj(const Mesh& mesh) {
+std::string format_obj(const Mesh& mesh, Digits digits) {
   std::string text;
   text.reserve(mesh.positions.size() * 36 + mesh.triangles.size() * 24 + mesh.quads.size() * 32 +
                mesh.corner_normals.size() * 16);
   auto out = std::back_inserter(text);
   for (const Vec3& p : mesh.positions) {
-    fmt::format_to(out, FMT_COMPILE("v {} {} {}\n"), static_cast<float>(p.x()),
-                   static_cast<float>(p.y()), static_cast<float>(p.z()));
+    text += "v ";
+    append_position(p, digits, text);
   }
   const Normals normals(mesh.corner_normals);
   for (const std::array<float, 3>& n : normals.distinct()) {

@@ -10,6 +10,7 @@
 #include "kdmanifold/error.h"
 #include "mesh/formats.h"
 #include "mesh/mesh_builder.h"
+#include "mesh/text_position.h"
 #include "mesh/text_scanner.h"
 
 namespace kdm {
@@ -106,16 +107,13 @@ Mesh parse_off(std::string_view text, std::string_view name) {
   return OffReader(text, name).read();
 }
 
-std::string format_off(const Mesh& mesh) {
+std::string format_off(const Mesh& mesh, Digits digits) {
   std::string text;
   text.reserve(mesh.positions.size() * 34 + mesh.triangles.size() * 24 + mesh.quads.size() * 32);
   auto out = std::back_inserter(text);
   fmt::format_to(out, "OFF\n{} {} 0\n", mesh.positions.size(),
                  mesh.triangles.size() + mesh.quads.size());
-  for (const Vec3& p : mesh.positions) {
-    fmt::format_to(out, FMT_COMPILE("{} {} {}\n"), static_cast<float>(p.x()),
-                   static_cast<float>(p.y()), static_cast<float>(p.z()));
-  }
+  for (const Vec3& p : mesh.positions) append_position(p, digits, text);
   for (const Triangle& t : mesh.triangles) {
     fmt::format_to(out, FMT_COMPILE("3 {} {} {}\n"), t[0], t[1], t[2]);
   }

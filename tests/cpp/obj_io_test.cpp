@@ -4,6 +4,7 @@
 
 #include "kdmanifold/mesh_io.h"
 #include "support/io_fixtures.h"
+#include "support/shapes.h"
 
 namespace kdm {
 namespace {
@@ -131,6 +132,21 @@ TEST(ObjWrite, Text) {
   EXPECT_EQ(format_mesh(io_test::pyramid(), MeshFormat::kObj),
             "v 0 0 0\nv 1 0 0\nv 1 1.5 0\nv 0 1.5 0\nv 0.25 0.1 -1e-07\n"
             "f 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\nf 4 3 2 1\n");
+}
+
+// What a program sees that reads 64 bits is what one sees that reads 32.
+TEST(ObjWrite, ExactDigitsReadBackTheSameInBothPrecisions) {
+  Mesh mesh = shapes::rotated(shapes::cube(), Vec3(1, 2, 3), 0.7);
+  for (Vec3& p : mesh.positions) p = p.cast<float>().cast<double>();
+  for (const MeshFormat format : {MeshFormat::kObj, MeshFormat::kOff}) {
+    EXPECT_EQ(parse_mesh(format_mesh(mesh, format, Digits::kExact), format).positions,
+              mesh.positions);
+    const Mesh rounded = parse_mesh(format_mesh(mesh, format), format);
+    EXPECT_NE(rounded.positions, mesh.positions);
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+      EXPECT_EQ(rounded.positions[i].cast<float>(), mesh.positions[i].cast<float>());
+    }
+  }
 }
 
 }  // namespace

@@ -222,6 +222,17 @@ test('a grid describes itself and its input', () => {
   grid.delete();
 });
 
+test('exact digits stand for the same numbers in 32 and in 64 bits', () => {
+  const mesh = convert(torus(), { relativeTolerance: 0.02 });
+  for (const format of ['obj', 'off']) {
+    const exact = kdm.parseMesh(kdm.formatMesh(mesh, format, { exact: true }), format);
+    expect(exact.positions).toEqual(Float64Array.from(mesh.positions));
+    const short = kdm.parseMesh(kdm.formatMesh(mesh, format), format);
+    expect(short.positions).not.toEqual(exact.positions);
+    expect(Float32Array.from(short.positions)).toEqual(mesh.positions);
+  }
+});
+
 test('a mesh inside out is turned, and said to be', () => {
   const { positions, indices } = cube();
   const grid = kdm.buildGrid({ positions, indices: indices.slice().reverse() });

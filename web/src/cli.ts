@@ -72,7 +72,8 @@ function convertFile(library: Awaited<ReturnType<typeof load>>, command: Command
   const { report: extracted, ...mesh } = grid.extract(command.extract);
   seconds.extract = lap();
   if (output !== undefined && outputFormat !== undefined) {
-    writeWhole(output, library.formatMesh(mesh, outputFormat));
+    const exact = command.extract.strict === 'embedded';
+    writeWhole(output, library.formatMesh(mesh, outputFormat, { exact }));
   }
   if (command.saveGrid !== undefined) writeWhole(command.saveGrid, grid.save());
   if (output !== undefined || command.saveGrid !== undefined) seconds.write = lap();

@@ -41,7 +41,11 @@ export interface RawModule {
   buildGrid(mesh: PolygonMeshInput, options: object, progress: RawProgress): Answer<RawGrid>;
   loadGrid(bytes: Uint8Array, name: string): Answer<RawGrid>;
   parseMesh(bytes: Uint8Array, format: string, name: string): Answer<ParsedMesh>;
-  formatMesh(mesh: PolygonMeshInput, format: string): Answer<Uint8Array<ArrayBuffer>>;
+  formatMesh(
+    mesh: PolygonMeshInput,
+    format: string,
+    exact: boolean,
+  ): Answer<Uint8Array<ArrayBuffer>>;
   analyze(mesh: PolygonMeshInput, options: object): Answer<RawDefects>;
   thicken(mesh: PolygonMeshInput, thickness: number): Answer<ParsedMesh>;
   describe(mesh: PolygonMeshInput): Answer<MeshReport>;

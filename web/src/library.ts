@@ -139,11 +139,19 @@ export class KdManifold {
     return call(this.#health, undefined, () => this.#raw.parseMesh(bytes, format, name));
   }
 
-  /** The content of a file with the mesh (STL and PLY binary). */
-  formatMesh(mesh: PolygonMeshInput, format: MeshFormat): Uint8Array<ArrayBuffer> {
+  /**
+   * The content of a file with the mesh (STL and PLY binary). Positions are 32-bit numbers; in text (OBJ, OFF)
+   * the shortest that read back as the same, or, if `exact`, those that do so in 64 bits too: for programs that
+   * must not see the surface moved, as by `strict: 'embedded'`.
+   */
+  formatMesh(
+    mesh: PolygonMeshInput,
+    format: MeshFormat,
+    { exact = false }: { exact?: boolean } = {},
+  ): Uint8Array<ArrayBuffer> {
     checkFormat(format);
     const input = checkPolygonMesh(mesh);
-    return call(this.#health, undefined, () => this.#raw.formatMesh(input, format));
+    return call(this.#health, undefined, () => this.#raw.formatMesh(input, format, exact === true));
   }
 
   /** Bytes of the WebAssembly heap, which never shrinks, and bytes of it in use. */

@@ -31,15 +31,21 @@ Mesh read_mesh(const std::string& path);
 /// The same from memory; `name` is what error messages call the source.
 Mesh parse_mesh(std::string_view bytes, MeshFormat format, std::string_view name = "input");
 
-/// Writes a mesh; the extension decides the format. Positions are written as 32-bit floats, in
-/// text as the shortest decimal that stands for the float; the same mesh gives the same bytes on
-/// every platform. Quads stay quads, in STL they become two triangles. The file appears complete or
-/// not at all: it is written under another name beside its place. Throws `kIoError`, and
-/// `kInvalidMesh` if a coordinate is not finite in 32 bits or a face names a vertex that does not
-/// exist.
-void write_mesh(const std::string& path, const Mesh& mesh);
+/// How the 32-bit coordinates are written in text (OBJ, OFF).
+enum class Digits {
+  kShortest,  ///< what reads back as the same 32-bit number
+  kExact      ///< what reads back as the same number in 64 bits too: for programs that read 64 bits
+              ///< and must not see the surface moved, as by `Strict::kEmbedded`
+};
+
+/// Writes a mesh; the extension decides the format. Positions are written as 32-bit floats; the
+/// same mesh gives the same bytes on every platform. Quads stay quads, in STL they become two
+/// triangles. The file appears complete or not at all: it is written under another name beside its
+/// place. Throws `kIoError`, and `kInvalidMesh` if a coordinate is not finite in 32 bits or a face
+/// names a vertex that does not exist.
+void write_mesh(const std::string& path, const Mesh& mesh, Digits digits = Digits::kShortest);
 
 /// The same into memory.
-std::string format_mesh(const Mesh& mesh, MeshFormat format);
+std::string format_mesh(const Mesh& mesh, MeshFormat format, Digits digits = Digits::kShortest);
 
 }  // namespace kdm

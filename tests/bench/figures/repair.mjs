@@ -25,7 +25,7 @@ export default async function repair({ files, tools, folder, judge }) {
     const result = grid.extract({ strict: 'embedded' });
     const seconds = (performance.now() - started) / 1000;
     const path = join(folder, 'result.obj');
-    writeFileSync(path, kdm.formatMesh(result, 'obj'));
+    writeFileSync(path, kdm.formatMesh(result, 'obj', { exact: true }));
     const measured = measure(tools, path, file);
     const judged = judge && JSON.parse(output(judge, [path, '--json']));
     const remeshed = await meshoptimizer(mesh, remeshCells);
