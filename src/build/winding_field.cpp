@@ -17,7 +17,7 @@ namespace {
 constexpr double kPi = 3.141592653589793;
 constexpr Index kLeafSize = 6;
 // What is left out of a node's series, by level of accuracy.
-constexpr std::array<double, 3> kNodeErrors{5e-2, 2e-3, 5e-5};
+constexpr std::array<double, 2> kNodeErrors{5e-2, 4e-3};
 constexpr double kTiny = 1e-30;  // not zero, whose sign would be lost
 
 Vec3 area_of(const LatticeTriangle& t) {

@@ -17,7 +17,8 @@ class WindingField {
   /// Winding numbers above `threshold` are inside. The triangles must live on.
   WindingField(std::span<const LatticeTriangle> triangles, double threshold);
 
-  /// By as rough a sum as is sure enough.
+  /// By as rough a sum as is sure enough; within about 0.01 of the threshold by the finer one, sure
+  /// or not. No more is needed: near a surface that is there, winding numbers are one half away.
   bool inside(const Vec3& p) const;
   /// The same for a grid vertex, read as shifted by (e, e^2, e^3) as in geometry/predicates.h: on
   /// which side of each triangle it lies is exact.
@@ -26,7 +27,7 @@ class WindingField {
   Vec3 gradient(const Vec3& p, double step) const;
 
  private:
-  static constexpr int kLevels = 3;  // of accuracy
+  static constexpr int kLevels = 2;  // of accuracy
 
   // The triangles below it, as seen from afar: the first two terms of the Taylor series of the
   // dipole layer's potential about the centre.
