@@ -151,7 +151,7 @@ export class KdManifold {
   ): Uint8Array<ArrayBuffer> {
     checkFormat(format);
     const input = checkPolygonMesh(mesh);
-    return call(this.#health, undefined, () => this.#raw.formatMesh(input, format, exact === true));
+    return call(this.#health, undefined, () => this.#raw.formatMesh(input, format, exact));
   }
 
   /** Bytes of the WebAssembly heap, which never shrinks, and bytes of it in use. */
