@@ -133,7 +133,9 @@ TEST(ResolveSegment, EveryResultFits) {
     for (std::size_t i = 0; i < line.positions.size(); ++i) {
       EXPECT_GE(line.positions[i], segment.low[2]);
       EXPECT_LT(line.positions[i], segment.high);
-      if (i > 0) EXPECT_GT(line.positions[i], line.positions[i - 1]);
+      if (i > 0) {
+        EXPECT_GT(line.positions[i], line.positions[i - 1]);
+      }
     }
     for (const char c : found) {
       if (c != '<' && c != '>') continue;
