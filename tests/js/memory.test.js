@@ -30,10 +30,14 @@ test('100 failures of each kind', () => {
   const mesh = torus();
   const open = { positions: mesh.positions, indices: mesh.indices.slice(3) };
   const cut = kdm.formatMesh(mesh, 'stl').slice(0, 1000);
-  const damaged = kdm.buildGrid(mesh).save();
+  const grid = kdm.buildGrid(mesh);
+  const damaged = grid.save();
+  grid.delete();
   damaged[damaged.length - 9] ^= 1;
   const failures = [
-    () => kdm.buildGrid(open),
+    () => kdm.buildGrid(open, { inside: 'positive' }),
+    () => kdm.buildGrid({ ...open, indices: open.indices.slice(0, 3) }),
+    () => kdm.buildGrid(open, { onProgress: (fraction) => fraction < 0.9 }),
     () => kdm.buildGrid(mesh, { onProgress: () => false }),
     () => kdm.buildGrid(mesh, { onProgress: (fraction) => fraction < 0.3 }),
     () => kdm.parseMesh(cut, 'stl'),
