@@ -18,6 +18,7 @@ const sections = [
   'slope',
   'memory',
   'repair',
+  'damage',
 ];
 const options = commandLine({
   section: { type: 'string', multiple: true, default: ['manifold'] },
