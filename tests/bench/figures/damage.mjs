@@ -98,7 +98,8 @@ export default async function damage({ tools, folder, find }) {
   const kdm = await load();
   const rows = [];
   for (const file of find(models)) {
-    const intact = kdm.parseMesh(readFileSync(file), extname(file).slice(1));
+    const { positions, indices } = kdm.parseMesh(readFileSync(file), extname(file).slice(1));
+    const intact = { positions, indices };
     const { volume, bounds } = kdm.describe(intact);
     const diagonal = Math.hypot(...bounds.max.map((x, i) => x - bounds.min[i]));
     for (const [name, make] of damages(intact, diagonal)) {
