@@ -130,10 +130,8 @@ class Construction {
       const int high_corner = low_corner | 1 << w;
       int winding = cut == whole.begin ? frame.winding[low_corner] : winding_after_[cut - 1];
       if (repair_) {
-        LatticePoint corner;
-        corner[w] = split.value;
-        corner[next_axis(w)] = (high_next ? frame.box.hi : frame.box.lo)[next_axis(w)];
-        corner[previous_axis(w)] = (high_previous ? frame.box.hi : frame.box.lo)[previous_axis(w)];
+        const LatticePoint corner =
+            corner_on_plane(frame.box, w, split.value, high_next, high_previous);
         winding = repair_->inside(corner) ? 1 : 0;
       }
       below.winding[high_corner] = winding;
@@ -198,10 +196,7 @@ class Construction {
   void plan_edge(const LatticeBox& box, const Split& split, int i, bool inside_low,
                  bool inside_high) {
     const int axis = axis_of_edge(split.axis, i);
-    LatticePoint low = box.lo;
-    low[split.axis] = split.value;
-    if (i == 1) low[next_axis(split.axis)] = box.hi[next_axis(split.axis)];
-    if (i == 2) low[previous_axis(split.axis)] = box.hi[previous_axis(split.axis)];
+    const LatticePoint low = corner_on_plane(box, split.axis, split.value, i == 1, i == 2);
     repair_->plan_edge({axis, low, box.hi[axis], inside_low, inside_high}, crossings_[i], walked_);
   }
 

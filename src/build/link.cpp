@@ -41,6 +41,10 @@ class Linking {
     if (2 * one_way != count) {
       throw Error(ErrorCode::kInternal, "hits round a minimal face have no partners");
     }
+    if (pairing_ == Pairing::kTrace &&
+        (surface_.repair || (count > 2 && count <= kMatchingLimit))) {
+      trace_outline(surface_, grid_, face, outline_, traces_);
+    }
     if (count == 2) {
       link(face, outline_[0], outline_[1], grid_);
       if (surface_.repair) keep_rims(face, {1, 0});
@@ -62,7 +66,6 @@ class Linking {
     }
     std::vector<Index> traced(count, kNone);
     if (pairing_ == Pairing::kTrace) {
-      trace_outline(surface_, grid_, face, outline_, traces_);
       for (Index i = 0; i < count; ++i) traced[i] = traces_[i].end;
     }
     find_tangents(grid_, face, outline_, tangents_);
@@ -81,7 +84,6 @@ class Linking {
   // Where the surface ends within the face, unless it goes on with the partner's.
   void keep_rims(const MinimalFace& face, const std::vector<Index>& partner) {
     if (pairing_ != Pairing::kTrace) return;
-    trace_outline(surface_, grid_, face, outline_, traces_);
     for (Index i = 0; i < partner.size(); ++i) {
       if (traces_[i].rim == kNone) continue;
       const RimHit rim = rim_hit(surface_, grid_, face, outline_[i].half_edge, traces_[i].rim);

@@ -27,16 +27,6 @@ std::int32_t unpack(std::uint64_t packed, int i) {
   return static_cast<std::int32_t>(packed >> 21 * i & ((1u << 21) - 1));
 }
 
-LatticePoint face_corner(const Cell& cell, const LatticeBox& box, bool high_u, bool high_v) {
-  const int u = next_axis(cell.axis());
-  const int v = previous_axis(cell.axis());
-  LatticePoint p;
-  p[cell.axis()] = cell.value();
-  p[u] = (high_u ? box.hi : box.lo)[u];
-  p[v] = (high_v ? box.hi : box.lo)[v];
-  return p;
-}
-
 }  // namespace
 
 // All grid vertices, by the lines they lie on.
@@ -74,8 +64,8 @@ void Repair::resolve(GridData& grid) {
     const LatticeBox& box = boxes[cell_of[edge / 4]];
     const int i = static_cast<int>(edge % 4);
     // Edges 1 and 2 end at the high ends of both axes.
-    const LatticePoint low = face_corner(cell, box, i == 1, i == 2);
-    const LatticePoint high = face_corner(cell, box, i != 3, i != 0);
+    const LatticePoint low = corner_on_plane(box, cell.axis(), cell.value(), i == 1, i == 2);
+    const LatticePoint high = corner_on_plane(box, cell.axis(), cell.value(), i != 3, i != 0);
     const int axis = axis_of_edge(cell.axis(), i);
     const Index end = grid.edge_begin[edge + 1];
     resolve_edge(vertices, {axis, low, high[axis], inside(low), inside(high)}, i,

@@ -40,6 +40,18 @@ using LatticeTriangle = std::array<LatticePoint, 3>;
 constexpr int next_axis(int axis) { return axis == 2 ? 0 : axis + 1; }
 constexpr int previous_axis(int axis) { return axis == 0 ? 2 : axis - 1; }
 
+/// A corner of the rectangle that a plane normal to `axis` has in common with the box.
+inline LatticePoint corner_on_plane(const LatticeBox& box, int axis, std::int32_t value,
+                                    bool high_next, bool high_previous) {
+  const int u = next_axis(axis);
+  const int v = previous_axis(axis);
+  LatticePoint p;
+  p[axis] = value;
+  p[u] = (high_next ? box.hi : box.lo)[u];
+  p[v] = (high_previous ? box.hi : box.lo)[v];
+  return p;
+}
+
 /// The map between model coordinates and lattice coordinates: the same step on every axis.
 struct Lattice {
   Vec3 origin = Vec3::Zero();  ///< model coordinates of lattice point (0, 0, 0)
