@@ -90,6 +90,7 @@ inline val from_input_report(const InputReport& report) {
   to.set("degenerateFaces", report.degenerate_faces);
   to.set("cancelledFaces", report.cancelled_faces);
   to.set("duplicateFaces", report.duplicate_faces);
+  to.set("sewnEdges", report.sewn_edges);
   to.set("turnedFaces", report.turned_faces);
   to.set("components", report.components);
   to.set("flipped", report.flipped);

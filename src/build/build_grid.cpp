@@ -46,13 +46,6 @@ int depth_limit(const BuildOptions& options) {
   return options.strategy == SplitStrategy::kUniform ? kUniformDepth : kMaxDepth;
 }
 
-// In lattice units.
-double tolerance_of(const BuildOptions& options, const Surface& surface) {
-  const double absolute =
-      options.tolerance > 0 ? options.tolerance : options.relative_tolerance * surface.diagonal;
-  return absolute / surface.lattice.step;
-}
-
 void report(const Progress& progress, double fraction, std::string_view phase) {
   if (progress && !progress(fraction, phase)) {
     throw Error(ErrorCode::kAborted, "stopped by the progress callback");
@@ -64,9 +57,8 @@ void report(const Progress& progress, double fraction, std::string_view phase) {
 Grid build_grid(const Mesh& mesh, const BuildOptions& options, const Progress& progress) try {
   check_options(options);
   report(progress, 0.0, "prepare");
-  Surface surface = options.thicken > 0
-                        ? prepare_surface(thicken(mesh, options.thicken), options.inside)
-                        : prepare_surface(mesh, options.inside);
+  Surface surface = options.thicken > 0 ? prepare_surface(thicken(mesh, options.thicken), options)
+                                        : prepare_surface(mesh, options);
   auto grid = std::make_unique<GridData>();
   grid->sheet = surface.sheet;
   grid->lattice = surface.lattice;
@@ -75,7 +67,7 @@ Grid build_grid(const Mesh& mesh, const BuildOptions& options, const Progress& p
   const Progress within = [&](double fraction, std::string_view phase) {
     return progress(0.1 + 0.7 * fraction, phase);
   };
-  const double tolerance = tolerance_of(options, surface);
+  const double tolerance = tolerance_of(options, surface.diagonal) / surface.lattice.step;
   grid->tolerance =
       tolerance > 0 ? tolerance : kUsualTolerance * surface.diagonal / surface.lattice.step;
   construct_cells(surface, options, tolerance, depth_limit(options), progress ? within : Progress(),

@@ -13,6 +13,7 @@
 #include "mesh/check_positions.h"
 #include "mesh/crowded_edges.h"
 #include "mesh/orient.h"
+#include "mesh/sew.h"
 #include "mesh/weld.h"
 
 namespace kdm {
@@ -75,6 +76,33 @@ Faces collect_faces(const Mesh& mesh) {
                           "the first is ({}, {}, {}) - ({}, {}, {}) of face {}",
                           topology.unbalanced_edges, topology.boundary_edges, a[0], a[1], a[2],
                           b[0], b[1], b[2], faces.source[side / 3]));
+}
+
+// Faces with a repeated corner have no side that counts. Returns their number.
+Index drop_repeated_corners(Faces& faces) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < faces.triangles.size(); ++i) {
+    const Triangle& t = faces.triangles[i];
+    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) continue;
+    faces.triangles[kept] = t;
+    faces.source[kept] = faces.source[i];
+    ++kept;
+  }
+  const auto dropped = static_cast<Index>(faces.triangles.size() - kept);
+  faces.triangles.resize(kept);
+  faces.source.resize(kept);
+  return dropped;
+}
+
+Box bounds_of(const std::vector<Triangle>& triangles, const std::vector<Vec3>& points) {
+  Box bounds{points[triangles[0][0]], points[triangles[0][0]]};
+  for (const Triangle& t : triangles) {
+    for (const Index corner : t) {
+      bounds.min = bounds.min.cwiseMin(points[corner]);
+      bounds.max = bounds.max.cwiseMax(points[corner]);
+    }
+  }
+  return bounds;
 }
 
 // Takes out pairs of faces that lie back to back: they bound nothing, and without them more of the
@@ -160,7 +188,7 @@ Plane plane_of(const Vec3& a, const Vec3& b, const Vec3& c, const LatticeTriangl
 
 }  // namespace
 
-Surface prepare_surface(const Mesh& mesh, InsideRule inside) {
+Surface prepare_surface(const Mesh& mesh, const BuildOptions& options) {
   if (mesh.positions.empty()) throw Error(ErrorCode::kInvalidMesh, "the mesh has no vertices");
   check_positions(mesh);
   Faces faces = collect_faces(mesh);
@@ -169,37 +197,26 @@ Surface prepare_surface(const Mesh& mesh, InsideRule inside) {
   points.reserve(weld.first_of.size());
   for (const Index first : weld.first_of) points.push_back(mesh.positions[first]);
 
-  // Weld; faces with a repeated corner have no side that counts.
-  std::size_t kept = 0;
-  Box bounds;
-  for (std::size_t i = 0; i < faces.triangles.size(); ++i) {
-    Triangle t = faces.triangles[i];
+  for (Triangle& t : faces.triangles) {
     for (Index& corner : t) corner = weld.point_of[corner];
-    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) continue;
-    for (const Index corner : t) {
-      if (bounds.min[0] > bounds.max[0]) bounds = {points[corner], points[corner]};
-      bounds.min = bounds.min.cwiseMin(points[corner]);
-      bounds.max = bounds.max.cwiseMax(points[corner]);
-    }
-    faces.triangles[kept] = t;
-    faces.source[kept] = faces.source[i];
-    ++kept;
   }
-  const auto repeated_corners = static_cast<Index>(faces.triangles.size() - kept);
-  if (kept == 0) {
+  Index repeated_corners = drop_repeated_corners(faces);
+  if (faces.triangles.empty()) {
     throw Error(ErrorCode::kInvalidMesh, "every face of the mesh has two equal corners");
   }
-  faces.triangles.resize(kept);
-  faces.source.resize(kept);
+  const Box bounds = bounds_of(faces.triangles, points);
 
   Surface surface;
   surface.topology = build_topology(faces.triangles, static_cast<Index>(points.size()));
   surface.report.closed = surface.topology.closed();
-  surface.sheet = inside == InsideRule::kSheet;
+  surface.sheet = options.inside == InsideRule::kSheet;
   surface.report.boundary_edges = surface.topology.boundary_edges;
   surface.report.non_manifold_edges = surface.topology.non_manifold_edges;
   surface.report.components = surface.topology.components;
-  if (!surface.report.closed && inside == InsideRule::kRepair) {
+  if (!surface.report.closed && options.inside == InsideRule::kRepair) {
+    const double diagonal = (bounds.max - bounds.min).norm();
+    surface.report.sewn_edges = sew_rims(tolerance_of(options, diagonal), faces.triangles, points);
+    repeated_corners += drop_repeated_corners(faces);
     turn_outwards(faces, points, surface.report);
     surface.topology = build_topology(faces.triangles, static_cast<Index>(points.size()));
     surface.repair = !surface.topology.closed();
@@ -214,7 +231,7 @@ Surface prepare_surface(const Mesh& mesh, InsideRule inside) {
   if (surface.report.cancelled_faces > 0) {
     surface.topology = build_topology(faces.triangles, static_cast<Index>(points.size()));
   }
-  kept = faces.triangles.size();
+  const std::size_t kept = faces.triangles.size();
 
   surface.lattice = lattice_over(bounds);
   surface.diagonal = (bounds.max - bounds.min).norm();

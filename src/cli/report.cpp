@@ -21,6 +21,7 @@ Json input_json(const InputReport& input) {
           {"degenerateFaces", input.degenerate_faces},
           {"cancelledFaces", input.cancelled_faces},
           {"duplicateFaces", input.duplicate_faces},
+          {"sewnEdges", input.sewn_edges},
           {"turnedFaces", input.turned_faces},
           {"components", input.components},
           {"flipped", input.flipped},
@@ -230,12 +231,15 @@ std::string input_text(const RunReport& report, const Command& command) {
 // What had to be done to surfaces that are not closed and consistently oriented.
 std::string repair_text(const RunReport& report) {
   const InputReport& input = report.input;
-  if (input.turned_faces + input.duplicate_faces + report.grid.invented_hits == 0) return "";
+  if (input.sewn_edges + input.turned_faces + input.duplicate_faces + report.grid.invented_hits ==
+      0) {
+    return "";
+  }
   const double area = report.output.area;
   return fmt::format(
-      "repair   {} faces turned, {} doubled ones left out; {:.1f} % of the area closes holes, {} "
-      "crumbs dropped\n",
-      input.turned_faces, input.duplicate_faces,
+      "repair   {} pairs of edges sewn, {} faces turned, {} doubled ones left out; {:.1f} % of the "
+      "area closes holes, {} crumbs dropped\n",
+      input.sewn_edges, input.turned_faces, input.duplicate_faces,
       area > 0 ? 100 * report.extracted.invented_area / area : 0, report.extracted.dropped_crumbs);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The bytes of a saved grid, version 3. Numbers are little-endian; `n` is a variable-length number
+// The bytes of a saved grid, version 4. Numbers are little-endian; `n` is a variable-length number
 // of seven bits a byte (mesh/bytes.h), `f64` a double, `z` a signed number as n: 0, -1, 1, -2, ...
 // as 0, 1, 2, 3, ...
 //
@@ -9,11 +9,11 @@
 //            u64       checksum of these bytes (FNV-1a, 64 bits)
 //   lattice  4 f64     origin x, y, z; step
 //            f64       tolerance
-//   reports  7 n       of the input: vertices, triangles, boundary edges, non-manifold edges,
-//                      degenerate faces, cancelled faces, components
+//   reports  11 n      of the input: vertices, triangles, boundary edges, non-manifold edges,
+//                      boundary loops, degenerate, cancelled and duplicate faces, sewn edges,
+//                      turned faces, components
 //            2 n       of the grid: unresolved leaves, guessed faces
 //            u8        1: input closed, 2: input flipped, 4: topology resolved, 8: a sheet's grid
-//            if a sheet's: n  boundary loops of the input
 //   sizes    n, n      splits, hits
 //   cells    a split: n  8 (3 z + axis) + 4 stray + 2 (upper child is split) + (lower child is
 //                      split), z being the split value less the middle of the cell; if stray:
@@ -46,7 +46,7 @@
 namespace kdm::grid_format {
 
 inline constexpr std::string_view kMagic = "\x89kdgrid\n";
-inline constexpr std::uint32_t kVersion = 3;
+inline constexpr std::uint32_t kVersion = 4;
 inline constexpr std::size_t kHeaderBytes = 8 + 4 + 8 + 8;
 
 /// Planes are numbered by 30 bits, cells and half-edges by 31 and 32.

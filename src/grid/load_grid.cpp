@@ -70,7 +70,7 @@ class GridReader {
     for (Index* count :
          {&input.vertices, &input.triangles, &input.boundary_edges, &input.non_manifold_edges,
           &input.boundary_loops, &input.degenerate_faces, &input.cancelled_faces,
-          &input.duplicate_faces, &input.turned_faces, &input.components,
+          &input.duplicate_faces, &input.sewn_edges, &input.turned_faces, &input.components,
           &grid_.stats.unresolved_leaves, &grid_.stats.guessed_faces}) {
       *count = take_index(kAnyIndex, "a count of the report");
     }

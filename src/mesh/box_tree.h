@@ -24,7 +24,16 @@ class BoxTree {
   /// Calls `visit(i)` once for every box that meets or touches this one.
   template <typename Visit>
   void for_each_meeting(const Box& box, const Visit& visit) const {
-    if (!nodes_.empty()) below(0, box, visit);
+    any_meeting(box, [&](Index i) {
+      visit(i);
+      return false;
+    });
+  }
+
+  /// Whether `test(i)` holds for one of the boxes that meet or touch this one; stops at the first.
+  template <typename Test>
+  bool any_meeting(const Box& box, const Test& test) const {
+    return !nodes_.empty() && any_meeting_below(0, box, test);
   }
 
   /// Whether `test(i)` holds for one of the boxes that the ray meets or touches; stops at the
@@ -97,18 +106,17 @@ class BoxTree {
     }
   }
 
-  template <typename Visit>
-  void below(Index node, const Box& box, const Visit& visit) const {
+  template <typename Test>
+  bool any_meeting_below(Index node, const Box& box, const Test& test) const {
     const Node& n = nodes_[node];
-    if (!meet(n.box, box)) return;
+    if (!meet(n.box, box)) return false;
     if (n.right != 0) {
-      below(node + 1, box, visit);
-      below(n.right, box, visit);
-      return;
+      return any_meeting_below(node + 1, box, test) || any_meeting_below(n.right, box, test);
     }
     for (Index i = n.begin; i < n.end; ++i) {
-      if (meet(boxes_[order_[i]], box)) visit(order_[i]);
+      if (meet(boxes_[order_[i]], box) && test(order_[i])) return true;
     }
+    return false;
   }
 
   template <typename Visit>

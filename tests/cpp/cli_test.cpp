@@ -190,7 +190,7 @@ TEST_F(Cli, ReportHasTheDocumentedKeys) {
   EXPECT_EQ(keys(json["input"]),
             (Names{"vertices", "triangles", "closed", "boundaryEdges", "boundaryLoops",
                    "nonManifoldEdges", "degenerateFaces", "cancelledFaces", "duplicateFaces",
-                   "turnedFaces", "components", "flipped", "latticeStep"}));
+                   "sewnEdges", "turnedFaces", "components", "flipped", "latticeStep"}));
   EXPECT_EQ(keys(json["grid"]),
             (Names{"cells", "leaves", "hits", "depth", "bytes", "topologyResolved",
                    "unresolvedLeaves", "ambiguousFaces", "guessedFaces", "inventedHits"}));

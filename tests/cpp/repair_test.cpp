@@ -159,11 +159,28 @@ TEST(Repair, HolesKeepTheRest) {
   }
 }
 
-// Each triangle for itself, edges gaping: the winding number closes the gaps.
+// Cracks narrower than the tolerance are sewn, and nothing is left to repair.
+TEST(Repair, CracksLeaveNoTrace) {
+  const Mesh intact = shapes::torus();
+  const Mesh torn = shapes::jittered(shapes::soup(intact), 0.001, 9);
+  const Grid grid = build_grid(torn, {.relative_tolerance = 0.002});
+  EXPECT_EQ(grid.input().sewn_edges, 3 * intact.triangles.size() / 2);
+  EXPECT_EQ(grid.input().boundary_loops, 0u);
+  EXPECT_EQ(grid.stats().invented_hits, 0u);
+  EXPECT_TRUE(grid.stats().topology_resolved);
+  const Mesh out = extract_sound(grid, "cracked");
+  EXPECT_EQ(describe(out).components, 1u);
+  EXPECT_EQ(describe(out).euler_characteristic, 0);
+  EXPECT_NEAR(shapes::signed_volume(out), shapes::signed_volume(intact), 0.01);
+}
+
+// Wider ones are not: the winding number closes the gaps.
 TEST(Repair, ATornSphereIsASphere) {
   const Mesh intact = shapes::icosphere(4);
   const Mesh torn = shapes::jittered(shapes::soup(intact), 0.005, 9);
-  const Mesh out = extract_sound(build_grid(torn, {.relative_tolerance = 0.01}), "torn");
+  const Grid grid = build_grid(torn, {.relative_tolerance = 0.001});
+  EXPECT_GT(grid.stats().invented_hits, 0u);
+  const Mesh out = extract_sound(grid, "torn");
   EXPECT_NEAR(shapes::signed_volume(out), shapes::signed_volume(intact), 0.05);
   for (const Vec3& p : out.positions) EXPECT_NEAR(p.norm(), 1, 0.1);
 }

@@ -24,7 +24,7 @@ struct Cube {
         return mesh.positions[t[0]][2] + mesh.positions[t[1]][2] + mesh.positions[t[2]][2] == 3;
       });
     }
-    triangles = prepare_surface(mesh, InsideRule::kSheet).triangles;
+    triangles = prepare_surface(mesh, {.inside = InsideRule::kSheet}).triangles;
   }
   std::vector<LatticeTriangle> triangles;
 };

@@ -34,7 +34,7 @@ double plain_winding(const std::vector<LatticeTriangle>& triangles, const Vec3& 
 }
 
 std::vector<LatticeTriangle> on_lattice(const Mesh& mesh) {
-  return prepare_surface(mesh, InsideRule::kSheet).triangles;
+  return prepare_surface(mesh, {.inside = InsideRule::kSheet}).triangles;
 }
 
 // Exact: crossings of the line that goes up from the grid vertex.

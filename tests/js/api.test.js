@@ -211,6 +211,7 @@ test('a grid describes itself and its input', () => {
     degenerateFaces: 0,
     cancelledFaces: 0,
     duplicateFaces: 0,
+    sewnEdges: 0,
     turnedFaces: 0,
     components: 1,
     flipped: false,

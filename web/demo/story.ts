@@ -47,6 +47,7 @@ export function storyOf(summary: Summary, findings: Finding[], crossingsKnown: b
 export function remedyOf({ input, grid, output }: Report): string {
   const done: string[] = [];
   if (input.flipped) done.push('all of it turned over');
+  if (input.sewnEdges > 0) done.push(`${count(input.sewnEdges, 'pair')} of edges sewn together`);
   if (input.turnedFaces > 0) done.push(`${count(input.turnedFaces, 'face')} turned`);
   if (grid.inventedHits > 0) {
     const share = percent.format(output.inventedArea / output.area);

@@ -153,11 +153,13 @@ function inputLines(input: InputReport, command: Command): string[] {
 
 // What had to be done to surfaces that are not closed and consistently oriented.
 function repairLines({ input, grid, output }: NonNullable<CliReport['result']>): string[] {
-  if (input.turnedFaces + input.duplicateFaces + grid.inventedHits === 0) return [];
+  const { sewnEdges, turnedFaces, duplicateFaces } = input;
+  if (sewnEdges + turnedFaces + duplicateFaces + grid.inventedHits === 0) return [];
   const share = output.area > 0 ? (100 * output.inventedArea) / output.area : 0;
   return [
-    `repair   ${input.turnedFaces} faces turned, ${input.duplicateFaces} doubled ones left out; ` +
-      `${share.toFixed(1)} % of the area closes holes, ${output.droppedCrumbs} crumbs dropped`,
+    `repair   ${sewnEdges} pairs of edges sewn, ${turnedFaces} faces turned, ` +
+      `${duplicateFaces} doubled ones left out; ${share.toFixed(1)} % of the area closes holes, ` +
+      `${output.droppedCrumbs} crumbs dropped`,
   ];
 }
 

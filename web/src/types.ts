@@ -189,6 +189,8 @@ export interface InputReport {
   cancelledFaces: number;
   /** `repair`: further faces over the same corners; they take no part. */
   duplicateFaces: number;
+  /** `repair`: pairs of boundary edges, no further apart than the tolerance, that were joined. */
+  sewnEdges: number;
   /** `repair`: faces that were turned to agree and look outwards. */
   turnedFaces: number;
   /** Parts joined by edges. */

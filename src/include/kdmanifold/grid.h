@@ -18,11 +18,14 @@ struct InputReport {
   Index boundary_edges = 0;
   Index boundary_loops = 0;  ///< of the edges at which the surface ends: those with one face, and
                              ///< faces that find none at their edge that runs against them
+                             ///< (`kRepair`: once it is sewn and turned)
   Index non_manifold_edges = 0;  ///< edges with three or more faces
   Index degenerate_faces = 0;    ///< faces without area on the lattice; they take no part
   Index cancelled_faces = 0;     ///< faces that lie back to back in pairs; they take no part
   Index duplicate_faces = 0;     ///< `kRepair`: further faces over the same corners; they take no
                                  ///< part
+  Index sewn_edges = 0;          ///< `kRepair`: pairs of boundary edges, no further apart than the
+                                 ///< tolerance, that were joined
   Index turned_faces = 0;        ///< `kRepair`: faces that were turned to agree and look outwards
   Index components = 0;          ///< parts joined by edges
   bool flipped = false;          ///< the input was inside out and has been turned
