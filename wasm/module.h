@@ -105,6 +105,7 @@ inline val from_grid_stats(const GridStats& stats) {
   to.set("hits", stats.hits);
   to.set("depth", stats.depth);
   to.set("bytes", stats.bytes);
+  to.set("tolerance", stats.tolerance);
   to.set("topologyResolved", stats.topology_resolved);
   to.set("unresolvedLeaves", stats.unresolved_leaves);
   to.set("ambiguousFaces", stats.ambiguous_faces);

@@ -36,10 +36,6 @@ constexpr double kFinestTolerance = 2.0;
 // Topology is not pursued in cells smaller than this fraction of the tolerance: where the input is
 // not embedded it never resolves.
 constexpr double kFloor = 1.0 / 8;
-// Surfaces to be repaired may cross everywhere; no tolerance is met there, and these many splits
-// are more than any that means something takes.
-constexpr std::size_t kSplits = 300000;
-constexpr std::size_t kSplitsATriangle = 32;
 // Above this many triangles a cell is split on the first sign of misfit even where shells may hide
 // others.
 constexpr std::size_t kMany = 64;
@@ -58,26 +54,11 @@ class AdaptiveRule : public SplitRule {
         analysis_(surface),
         tolerance_(std::max(tolerance, kFinestTolerance)),
         floor_(std::max(kFloor * tolerance, 1.0)),
-        splits_left_(surface.repair ? kSplits + kSplitsATriangle * surface.triangles.size()
-                                    : std::numeric_limits<std::size_t>::max()),
         depth_(depth),
         placing_(placing),
         features_(surface) {}
 
   std::optional<Split> choose(const CellView& cell) override {
-    if (splits_left_ == 0) return give_up();
-    const std::optional<Split> split = choose_for(cell);
-    if (split) --splits_left_;
-    return split;
-  }
-
-  void report(GridStats& stats) const override {
-    stats.unresolved_leaves = unresolved_;
-    stats.topology_resolved = unresolved_ == 0;
-  }
-
- private:
-  std::optional<Split> choose_for(const CellView& cell) {
     // An octree's cell is cut in eight or not at all.
     if (placing_ == SplitPlacing::kInTurn && cell.depth % 3 != 0) return halve(cell);
     collect_crossings(cell);
@@ -101,6 +82,12 @@ class AdaptiveRule : public SplitRule {
     return small || pieces_fit(cell.box) ? give_up() : halve(cell);
   }
 
+  void report(GridStats& stats) const override {
+    stats.unresolved_leaves = unresolved_;
+    stats.topology_resolved = unresolved_ == 0;
+  }
+
+ private:
   // Leaf because it must be one.
   std::optional<Split> give_up() {
     ++unresolved_;
@@ -356,7 +343,6 @@ class AdaptiveRule : public SplitRule {
   CellAnalysis analysis_;
   double tolerance_;
   double floor_;
-  std::size_t splits_left_;
   int depth_;
   SplitPlacing placing_;
   FeatureFinder features_;

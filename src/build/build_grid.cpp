@@ -67,11 +67,12 @@ Grid build_grid(const Mesh& mesh, const BuildOptions& options, const Progress& p
   const Progress within = [&](double fraction, std::string_view phase) {
     return progress(0.1 + 0.7 * fraction, phase);
   };
-  const double tolerance = tolerance_of(options, surface.diagonal) / surface.lattice.step;
+  const double tolerance = construct_cells(
+      surface, options, tolerance_of(options, surface.diagonal) / surface.lattice.step,
+      depth_limit(options), progress ? within : Progress(), *grid);
   grid->tolerance =
       tolerance > 0 ? tolerance : kUsualTolerance * surface.diagonal / surface.lattice.step;
-  construct_cells(surface, options, tolerance, depth_limit(options), progress ? within : Progress(),
-                  *grid);
+  grid->stats.tolerance = grid->tolerance * surface.lattice.step;
   report(progress, 0.8, "link");
   if (surface.repair && grid->hits.empty()) {
     throw Error(ErrorCode::kNotClosed,

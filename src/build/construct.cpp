@@ -7,6 +7,9 @@
 #include "build/construct.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
 
 #include "build/repair.h"
 #include "build/split_rules.h"
@@ -19,6 +22,14 @@ namespace kdm {
 namespace {
 
 constexpr std::uint32_t kProgressInterval = 4096;  // cells between two calls
+
+// Surfaces to be repaired may cross and end everywhere, where no tolerance is met and winding
+// numbers take a while. These limits are beyond what any takes that means something; past them, the
+// whole surface is met less closely.
+constexpr std::size_t kSplits = 300000;
+constexpr std::size_t kSplitsATriangle = 32;
+constexpr std::size_t kWork = 64000000;  // as WindingField counts
+constexpr std::size_t kWorkATriangle = 64;
 
 /// What a cell hands down. Corners are numbered by bits: 1 for x, 2 for y, 4 for z at the high end.
 struct CellFrame {
@@ -36,17 +47,23 @@ struct CellFrame {
 class Construction {
  public:
   Construction(Surface& surface, const BuildOptions& options, double tolerance, int depth,
-               const Progress& progress, GridData& grid)
+               Repair* repair, const Progress& progress, GridData& grid)
       : surface_(surface),
         inside_(options.inside),
+        repair_(repair),
         progress_(progress),
         grid_(grid),
         rule_(make_split_rule(surface, options, tolerance, depth)),
         lists_(surface.triangles) {
-    if (surface.repair) repair_.emplace(surface, options.winding_threshold, tolerance);
+    if (repair_ == nullptr) return;
+    splits_left_ = kSplits + kSplitsATriangle * surface.triangles.size();
+    most_work_ = repair_->work() + kWork + kWorkATriangle * surface.triangles.size();
   }
 
-  void run() {
+  /// The fraction of the work that was done before a limit was met; 1: all.
+  double run() {
+    grid_.hits.clear();
+    grid_.stats = {};
     grid_.cells.assign(1, Cell());
     grid_.edge_begin.assign(1, 0);
     const std::size_t guess = 2 * surface_.triangles.size();
@@ -58,8 +75,9 @@ class Construction {
     root.triangles = lists_.all();
     root.rule = rule_->root();
     split_cell(root);
+    if (splits_left_ == 0) return done_;
     rule_->report(grid_.stats);
-    if (repair_) {
+    if (repair_ != nullptr) {
       repair_->resolve(grid_);
     } else {
       drop_internal_crossings();
@@ -68,10 +86,12 @@ class Construction {
     grid_.edge_begin.shrink_to_fit();
     grid_.hits.shrink_to_fit();
     mark_active_sides(grid_);
+    return 1;
   }
 
  private:
   void split_cell(const CellFrame& frame) {
+    if (is_beyond_limits(frame)) return;
     report_progress(frame.done_before);
     grid_.stats.depth = std::max(grid_.stats.depth, frame.depth);
     if (frame.triangles.size() == 0) return;
@@ -79,6 +99,7 @@ class Construction {
         rule_->choose({frame.box, frame.depth, lists_.entries(frame.triangles), frame.rule,
                        frame.edges, grid_.hits, kept_});
     if (!split) return;
+    --splits_left_;
     KDM_ASSERT(split->value > frame.box.lo[split->axis] && split->value < frame.box.hi[split->axis],
                "a split lies strictly inside its cell");
     const auto first_child = static_cast<Index>(grid_.cells.size());
@@ -112,6 +133,13 @@ class Construction {
     lists_.release(lists.below);
   }
 
+  bool is_beyond_limits(const CellFrame& frame) {
+    if (splits_left_ > 0 && (repair_ == nullptr || repair_->work() < most_work_)) return false;
+    splits_left_ = 0;
+    done_ = std::min(done_, frame.done_before);
+    return true;
+  }
+
   // The four edges across the plane are cut; their crossings there give the winding numbers at
   // the corners of the splitting face.
   void divide_edges(const CellFrame& frame, const Split& split, CellFrame& below,
@@ -129,7 +157,7 @@ class Construction {
           (high_next ? 1 << next_axis(w) : 0) | (high_previous ? 1 << previous_axis(w) : 0);
       const int high_corner = low_corner | 1 << w;
       int winding = cut == whole.begin ? frame.winding[low_corner] : winding_after_[cut - 1];
-      if (repair_) {
+      if (repair_ != nullptr) {
         const LatticePoint corner =
             corner_on_plane(frame.box, w, split.value, high_next, high_previous);
         winding = repair_->inside(corner) ? 1 : 0;
@@ -161,7 +189,7 @@ class Construction {
       range.begin = static_cast<Index>(grid_.hits.size());
       const int from = above.winding[low_corner[i]];
       const int to = above.winding[low_corner[i] | 1 << axis_of_edge(w, i)];
-      if (repair_) {
+      if (repair_ != nullptr) {
         plan_edge(box, split, i, from != 0, to != 0);
       } else {
         const int winding = walk_edge(crossings_[i], from, inside_, walked_);
@@ -235,9 +263,9 @@ class Construction {
 
   Surface& surface_;
   InsideRule inside_;
+  Repair* repair_;
   const Progress& progress_;
   GridData& grid_;
-  std::optional<Repair> repair_;
   std::unique_ptr<SplitRule> rule_;
   TriangleLists lists_;
   std::vector<int> winding_after_;  // per crossing; hits_ holds all crossings until the end
@@ -246,13 +274,38 @@ class Construction {
   std::array<std::vector<Crossing>, 4> crossings_;
   std::vector<WalkedCrossing> walked_;
   std::uint32_t cells_since_report_ = 0;
+  std::size_t splits_left_ = std::numeric_limits<std::size_t>::max();
+  std::size_t most_work_ = 0;
+  double done_ = 1;  // when a limit was met
 };
+
+// How much wider a tolerance must be for all to be within the limits of which this fraction was:
+// cells are as many as there are squares of its size on the surface.
+double widening_for(double done) {
+  return std::clamp(1.2 / std::sqrt(std::max(done, 1e-3)), 1.5, 8.0);
+}
 
 }  // namespace
 
-void construct_cells(Surface& surface, const BuildOptions& options, double tolerance, int depth,
-                     const Progress& progress, GridData& grid) {
-  Construction(surface, options, tolerance, depth, progress, grid).run();
+double construct_cells(Surface& surface, const BuildOptions& options, double tolerance, int depth,
+                       const Progress& progress, GridData& grid) {
+  double shown = 0;
+  Progress onwards;
+  if (progress) {
+    onwards = [&](double fraction, std::string_view phase) {
+      shown = std::max(shown, fraction);  // another attempt starts where the last one stopped
+      return progress(shown, phase);
+    };
+  }
+  std::optional<Repair> repair;
+  if (surface.repair) repair.emplace(surface, options.winding_threshold, tolerance);
+  for (;;) {
+    Construction construction(surface, options, tolerance, depth, repair ? &*repair : nullptr,
+                              onwards, grid);
+    const double done = construction.run();
+    if (done == 1) return tolerance;
+    tolerance = widening_for(done) * std::max(tolerance, 1.0);
+  }
 }
 
 }  // namespace kdm

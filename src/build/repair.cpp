@@ -39,8 +39,7 @@ struct Repair::GridVertices {
 Repair::Repair(Surface& surface, double threshold, double tolerance)
     : surface_(surface),
       field_(surface.triangles, threshold),
-      resolver_(field_, precision_for(tolerance)),
-      precision_(precision_for(tolerance)) {}
+      resolver_(field_, precision_for(tolerance)) {}
 
 bool Repair::inside(const LatticePoint& p) {
   if (on_root_side(p)) return false;
@@ -148,8 +147,7 @@ Index Repair::invented_plane(const Segment& segment, const WalkedCrossing& inven
   const double up = invented.leaving ? 1 : -1;
   Vec3 point = real(segment.low);
   point[segment.axis] = real_position(invented.crossing.position);
-  const double length = segment.high - segment.low[segment.axis];
-  Vec3 normal = -field_.gradient(point, std::max(4 * precision_, length / 16));
+  Vec3 normal = -field_.gradient(point);
   // Where the field says nothing, or the contrary, the edge is all that is known.
   constexpr double kLeastCosine = 0.05;
   if (!(up * normal[segment.axis] > kLeastCosine * normal.norm())) {

@@ -28,6 +28,9 @@ class Repair {
     resolver_.resolve(segment, crossings, false, walked);
   }
 
+  /// What was asked of the field so far, see WindingField.
+  std::size_t work() const { return field_.work(); }
+
   /// Leaves of the grid's crossings the hits: between any two grid vertices they fit both. Planes
   /// and source faces (kNone) of invented hits are added to the surface's.
   void resolve(GridData& grid);
@@ -43,7 +46,6 @@ class Repair {
   Surface& surface_;
   WindingField field_;
   SegmentResolver resolver_;
-  double precision_;
   std::unordered_map<std::uint64_t, bool> known_;  // by position; only ever looked up
   std::vector<Crossing> crossings_;
   std::vector<WalkedCrossing> walked_;

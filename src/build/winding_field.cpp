@@ -28,8 +28,13 @@ Vec3 area_of(const LatticeTriangle& t) {
 
 Vec3 centroid_of(const LatticeTriangle& t) { return (real(t[0]) + real(t[1]) + real(t[2])) / 3.0; }
 
-HalfSolidAngle angle_of(const LatticeTriangle& t, const Vec3& p) {
+std::array<Vec3, 3> corners_from(const LatticeTriangle& t, const Vec3& p) {
   return {real(t[0]) - p, real(t[1]) - p, real(t[2]) - p};
+}
+
+HalfSolidAngle angle_of(const LatticeTriangle& t, const Vec3& p) {
+  const std::array<Vec3, 3> corners = corners_from(t, p);
+  return {corners[0], corners[1], corners[2]};
 }
 
 // Is the triangle's back turned to the grid vertex, shifted as in geometry/predicates.h?
@@ -124,13 +129,13 @@ void WindingField::summarise(Node& node) const {
   }
 }
 
-template <typename AddTriangle>
-WindingField::Value WindingField::evaluate(const Vec3& p, int level,
-                                           const AddTriangle& add_triangle) const {
-  Value value;
-  if (nodes_.empty()) return value;
-  AngleSum near;
-  int summed = 0;
+// Calls add_node(node, r, squared length of r) for what is far, r leading to its centre, and
+// add_triangle for the rest.
+template <typename AddNode, typename AddTriangle>
+void WindingField::traverse(const Vec3& p, int level, const AddNode& add_node,
+                            const AddTriangle& add_triangle) const {
+  if (nodes_.empty()) return;
+  std::size_t far = 0;
   std::array<Index, 64> stack;
   int open = 0;
   stack[open++] = 0;
@@ -139,19 +144,36 @@ WindingField::Value WindingField::evaluate(const Vec3& p, int level,
     const Node& node = nodes_[number];
     const Vec3 r = node.centre - p;
     const double square = r.squaredNorm();
-
     if (square > node.far[level]) {
-      const double bent = r.dot(node.first * r) / square;
-      value.winding += (node.area.dot(r) + node.first.trace() - 3.0 * bent) /
-                       (4.0 * kPi * square * std::sqrt(square));
-      ++summed;
+      add_node(node, r, square);
+      ++far;
     } else if (node.right != 0) {
       stack[open++] = node.right;
       stack[open++] = number + 1;
     } else {
-      for (Index i = node.begin; i < node.end; ++i) add_triangle(triangles_[order_[i]], near);
+      for (Index i = node.begin; i < node.end; ++i) add_triangle(triangles_[order_[i]]);
+      work_ += node.end - node.begin;
     }
   }
+  constexpr std::size_t kNodesATriangle = 4;  // in time
+  work_ += far / kNodesATriangle + 1;
+}
+
+template <typename AddTriangle>
+WindingField::Value WindingField::evaluate(const Vec3& p, int level,
+                                           const AddTriangle& add_triangle) const {
+  Value value;
+  AngleSum near;
+  int summed = 0;
+  traverse(
+      p, level,
+      [&](const Node& node, const Vec3& r, double square) {
+        const double bent = r.dot(node.first * r) / square;
+        value.winding += (node.area.dot(r) + node.first.trace() - 3.0 * bent) /
+                         (4.0 * kPi * square * std::sqrt(square));
+        ++summed;
+      },
+      [&](const LatticeTriangle& t) { add_triangle(t, near); });
   value.winding += near.turns();
   // Errors have either sign and are mostly far below the bound, which takes all of a node's
   // triangles to lie and to face the worst way.
@@ -187,19 +209,19 @@ bool WindingField::inside(const LatticePoint& p) const {
   });
 }
 
-Vec3 WindingField::gradient(const Vec3& p, double step) const {
-  // The corners of a tetrahedron about the point: rounding apart, what most nodes leave out is the
-  // same for all four.
-  Vec3 result = Vec3::Zero();
-  for (const Vec3& corner : {Vec3(1, 1, 1), Vec3(1, -1, -1), Vec3(-1, 1, -1), Vec3(-1, -1, 1)}) {
-    const Vec3 q = p + step * corner;
-    const Value value = evaluate(q, 1, [&](const LatticeTriangle& t, AngleSum& sum) {
-      const HalfSolidAngle angle = angle_of(t, q);
-      sum.add(angle.re, angle.im);
-    });
-    result += value.winding * corner;
-  }
-  return result / (4 * step);
+Vec3 WindingField::gradient(const Vec3& p) const {
+  Vec3 sum = Vec3::Zero();
+  traverse(
+      p, 1,
+      [&](const Node& node, const Vec3& r, double square) {
+        // The derivatives of the terms that `evaluate` adds up.
+        const double bent = r.dot(node.first * r) / square;
+        const Vec3 turned = (node.first + node.first.transpose()) * r;
+        const double along = node.area.dot(r) + node.first.trace() - 5.0 * bent;
+        sum += (3.0 * (along * r + turned) / square - node.area) / (square * std::sqrt(square));
+      },
+      [&](const LatticeTriangle& t) { sum += solid_angle_gradient(corners_from(t, p)); });
+  return sum / (4.0 * kPi);
 }
 
 }  // namespace kdm

@@ -23,8 +23,11 @@ class WindingField {
   /// The same for a grid vertex, read as shifted by (e, e^2, e^3) as in geometry/predicates.h: on
   /// which side of each triangle it lies is exact.
   bool inside(const LatticePoint& p) const;
-  /// Towards the inside, by differences over `step`.
-  Vec3 gradient(const Vec3& p, double step) const;
+  /// Towards the inside; of what is near exactly, of what is far as the finer sum has it.
+  Vec3 gradient(const Vec3& p) const;
+
+  /// Terms summed so far, in triangles or what takes as long.
+  std::size_t work() const { return work_; }
 
  private:
   static constexpr int kLevels = 2;  // of accuracy
@@ -47,6 +50,9 @@ class WindingField {
 
   Index build(Index begin, Index end, std::vector<Vec3>& centroids);
   void summarise(Node& node) const;
+  template <typename AddNode, typename AddTriangle>
+  void traverse(const Vec3& p, int level, const AddNode& add_node,
+                const AddTriangle& add_triangle) const;
   template <typename AddTriangle>
   Value evaluate(const Vec3& p, int level, const AddTriangle& add_triangle) const;
   template <typename AddTriangle>
@@ -56,6 +62,7 @@ class WindingField {
   double threshold_;
   std::vector<Index> order_;
   std::vector<Node> nodes_;
+  mutable std::size_t work_ = 0;
 };
 
 }  // namespace kdm

@@ -86,6 +86,7 @@ Json grid_json(const GridStats& grid) {
           {"hits", grid.hits},
           {"depth", grid.depth},
           {"bytes", grid.bytes},
+          {"tolerance", grid.tolerance},
           {"topologyResolved", grid.topology_resolved},
           {"unresolvedLeaves", grid.unresolved_leaves},
           {"ambiguousFaces", grid.ambiguous_faces},

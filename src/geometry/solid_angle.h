@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "kdmanifold/types.h"
@@ -76,5 +77,25 @@ struct HalfSolidAngle {
     re = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
   }
 };
+
+/// How the solid angle that a triangle fills changes as the point moves that its corners are seen
+/// from: only its outline matters (as the magnetic field of a current along it, Biot and Savart).
+/// On the outline, where it is infinite, that side is left out.
+inline Vec3 solid_angle_gradient(const std::array<Vec3, 3>& corners) {
+  Vec3 sum = Vec3::Zero();
+  for (int i = 0; i < 3; ++i) {
+    const Vec3& a = corners[i];
+    const Vec3& b = corners[i == 2 ? 0 : i + 1];
+    const double la = a.norm();
+    const double lb = b.norm();
+    const double product = la * lb;
+    const double apart = product + a.dot(b);
+    if (!(apart > 1e-12 * product)) continue;
+    const Vec3 upright(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+                       a[0] * b[1] - a[1] * b[0]);
+    sum += (la + lb) / (product * apart) * upright;
+  }
+  return sum;
+}
 
 }  // namespace kdm

@@ -82,6 +82,7 @@ class GridReader {
     input.closed = (flags & format::kClosed) != 0;
     input.flipped = (flags & format::kFlipped) != 0;
     input.lattice_step = grid_.lattice.step;
+    grid_.stats.tolerance = grid_.tolerance * grid_.lattice.step;
     grid_.stats.topology_resolved = (flags & format::kTopologyResolved) != 0;
     grid_.sheet = (flags & format::kSheet) != 0;
   }

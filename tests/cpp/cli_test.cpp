@@ -192,7 +192,7 @@ TEST_F(Cli, ReportHasTheDocumentedKeys) {
                    "nonManifoldEdges", "degenerateFaces", "cancelledFaces", "duplicateFaces",
                    "sewnEdges", "turnedFaces", "components", "flipped", "latticeStep"}));
   EXPECT_EQ(keys(json["grid"]),
-            (Names{"cells", "leaves", "hits", "depth", "bytes", "topologyResolved",
+            (Names{"cells", "leaves", "hits", "depth", "bytes", "tolerance", "topologyResolved",
                    "unresolvedLeaves", "ambiguousFaces", "guessedFaces", "inventedHits"}));
   EXPECT_EQ(keys(json["output"]), (Names{"vertices",
                                          "triangles",

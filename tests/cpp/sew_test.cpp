@@ -18,9 +18,7 @@ struct Sewn {
   std::vector<Triangle> triangles;
   std::vector<Vec3> points;
 
-  Topology topology() const {
-    return build_topology(triangles, static_cast<Index>(points.size()));
-  }
+  Topology topology() const { return build_topology(triangles, static_cast<Index>(points.size())); }
 };
 
 Sewn sewn(const Mesh& mesh, double distance) {

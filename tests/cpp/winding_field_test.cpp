@@ -141,8 +141,53 @@ TEST(WindingField, GradientPointsInwardsAtAHole) {
   }
   missing.normalize();
   const Vec3 middle = Vec3::Constant(kLatticeSize / 2);
-  const Vec3 gradient = field.gradient(middle + 0.45 * kLatticeSize * missing, 16);
+  const Vec3 gradient = field.gradient(middle + 0.45 * kLatticeSize * missing);
   EXPECT_LT(gradient.dot(missing), -0.99 * gradient.norm());
+}
+
+std::array<Vec3, 3> seen_from(const Vec3& p, const LatticeTriangle& t) {
+  return {real(t[0]) - p, real(t[1]) - p, real(t[2]) - p};
+}
+
+double turns_of(const std::array<Vec3, 3>& corners) {
+  const HalfSolidAngle angle(corners[0], corners[1], corners[2]);
+  AngleSum sum;
+  sum.add(angle.re, angle.im);
+  return sum.turns();
+}
+
+TEST(WindingField, SolidAnglesChangeAsTheirGradientSays) {
+  Random random(8);
+  for (int i = 0; i < 200; ++i) {
+    const std::array<Vec3, 3> corners{random.point(-1, 1), random.point(-1, 1),
+                                      random.point(-1, 1)};
+    const auto moved = [&](const Vec3& by) {
+      return turns_of({corners[0] - by, corners[1] - by, corners[2] - by});
+    };
+    const Vec3 gradient = solid_angle_gradient(corners) / (4 * 3.141592653589793);
+    for (int k = 0; k < 3; ++k) {
+      constexpr double kStep = 1e-5;
+      Vec3 by = Vec3::Zero();
+      by[k] = kStep;
+      const double difference = moved(by) - moved(-by);
+      if (std::abs(difference) > 0.5) continue;  // through the triangle
+      EXPECT_NEAR(difference / (2 * kStep), gradient[k], 1e-4 * (1 + gradient.squaredNorm()));
+    }
+  }
+}
+
+TEST(WindingField, GradientIsThatOfAllTriangles) {
+  const std::vector<LatticeTriangle> triangles =
+      on_lattice(shapes::open(shapes::icosphere(4), 2560));
+  const WindingField field(triangles, 0.5);
+  Random random(9);
+  for (int i = 0; i < 100; ++i) {
+    const Vec3 p = random.point(0, kLatticeSize);
+    Vec3 sum = Vec3::Zero();
+    for (const LatticeTriangle& t : triangles) sum += solid_angle_gradient(seen_from(p, t));
+    sum /= 4 * 3.141592653589793;
+    EXPECT_LT((field.gradient(p) - sum).norm(), 0.01 * sum.norm() + 0.3 / kLatticeSize);
+  }
 }
 
 }  // namespace

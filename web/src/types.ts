@@ -213,6 +213,11 @@ export interface GridStats {
   /** Memory that the grid holds. */
   bytes: number;
   /**
+   * In the model's units: what was asked for, or more where a surface to be repaired would have
+   * taken beyond all measure. Of strategies that ask for none, what extraction goes by.
+   */
+  tolerance: number;
+  /**
    * `adaptive` and `octree`: no leaf was given up and no face was guessed; the result of an embedded
    * input then has its topology. The others do not look: false.
    */

@@ -38,6 +38,9 @@ struct GridStats {
   Index hits = 0;         ///< intersections of the surface with grid edges
   int depth = 0;          ///< of the deepest leaf
   std::size_t bytes = 0;  ///< memory held by the grid
+  /// In model units: what was asked for, or more where a surface to be repaired would have taken
+  /// beyond all measure. Of strategies that ask for none, what extraction goes by.
+  double tolerance = 0;
   /// Adaptive, octree: no leaf was given up, every ambiguous face was traced; the output of an
   /// embedded input is then homeomorphic to it. Other strategies do not look: false.
   bool topology_resolved = false;
