@@ -28,7 +28,7 @@ constexpr std::uint32_t kProgressInterval = 4096;  // cells between two calls
 // whole surface is met less closely.
 constexpr std::size_t kSplits = 300000;
 constexpr std::size_t kSplitsATriangle = 32;
-constexpr std::size_t kWork = 64000000;  // as WindingField counts
+constexpr std::size_t kWork = 40000000;  // as WindingField counts
 constexpr std::size_t kWorkATriangle = 64;
 
 /// What a cell hands down. Corners are numbered by bits: 1 for x, 2 for y, 4 for z at the high end.

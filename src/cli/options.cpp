@@ -197,7 +197,7 @@ const char* word_of(Pairing pairing) { return find_word(kPairings, pairing); }
 Command parse_command(int argc, const char* const* argv) {
   Command command;
   CLI::App app(
-      "Makes a closed, oriented 2-manifold mesh of a closed mesh.\n"
+      "Makes a closed, oriented 2-manifold mesh of any mesh.\n"
       "Formats by extension: OBJ, STL, PLY, OFF; saved grids: .kdgrid.\n",
       "kdmanifold");
   app.add_option("INPUT", command.input, "the mesh to convert, or a saved grid")

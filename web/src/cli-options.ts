@@ -153,7 +153,7 @@ export function helpText(): string {
     lines.push([name === 'help' ? '-h, --help' : `--${name}`, help]);
   }
   return [
-    'Makes a closed, oriented 2-manifold mesh of a closed mesh.',
+    'Makes a closed, oriented 2-manifold mesh of any mesh.',
     'Formats by extension: OBJ, STL, PLY, OFF; saved grids: .kdgrid.',
     '',
     'Usage: kdmanifold [OPTIONS] INPUT',
