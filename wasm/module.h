@@ -47,6 +47,7 @@ inline BuildOptions to_build_options(const val& from) {
   read(from, "depth", options.depth);
   read(from, "inside", options.inside, kInsideRules);
   read(from, "windingThreshold", options.winding_threshold);
+  read(from, "largestHole", options.largest_hole);
   read(from, "pairing", options.pairing, kPairings);
   read(from, "thicken", options.thicken);
   return options;

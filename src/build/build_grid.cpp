@@ -33,6 +33,7 @@ void check_options(const BuildOptions& options) {
   check("tolerance", options.tolerance);
   check("relative_tolerance", options.relative_tolerance);
   check("thicken", options.thicken);
+  check("largest_hole", options.largest_hole);
   if (!(options.winding_threshold > 0 && options.winding_threshold < 1)) {
     throw Error(ErrorCode::kInvalidOption,
                 fmt::format("winding_threshold is {}; it must be between 0 and 1",

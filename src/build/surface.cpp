@@ -145,6 +145,33 @@ void turn_outwards(Faces& faces, const std::vector<Vec3>& points, InputReport& r
   faces.source.resize(kept);
 }
 
+// Throws if a hole is too wide to be closed.
+void check_holes(const std::vector<BoundaryLoop>& holes, const std::vector<Triangle>& triangles,
+                 const std::vector<Vec3>& points, double largest) {
+  Index too_wide = 0;
+  double widest = 0;
+  Vec3 place;
+  for (const BoundaryLoop& hole : holes) {
+    const auto corner = [&](Index side) { return points[triangles[side / 3][side % 3]]; };
+    Box bounds{corner(hole.vertices[0]), corner(hole.vertices[0])};
+    for (const Index side : hole.vertices) {
+      bounds.min = bounds.min.cwiseMin(corner(side));
+      bounds.max = bounds.max.cwiseMax(corner(side));
+    }
+    const double width = (bounds.max - bounds.min).norm();
+    too_wide += width > largest ? 1 : 0;
+    if (width <= widest) continue;
+    widest = width;
+    place = corner(hole.vertices[0]);
+  }
+  if (too_wide == 0) return;
+  throw Error(ErrorCode::kNotClosed,
+              fmt::format("{} of {} holes are wider than largest_hole, which is {}; the widest, {} "
+                          "across, passes through ({}, {}, {}): allow wider ones, thicken the "
+                          "surface, or take it as a sheet",
+                          too_wide, holes.size(), largest, widest, place[0], place[1], place[2]));
+}
+
 // Six times the enclosed volume, about the middle of the root cell.
 double signed_volume(const std::vector<LatticeTriangle>& triangles) {
   constexpr double kMiddle = kLatticeSize / 2.0;
@@ -224,7 +251,11 @@ Surface prepare_surface(const Mesh& mesh, const BuildOptions& options) {
     throw_not_closed(faces, points, surface.topology);
   }
   if (surface.has_rims()) pair_straightest(faces.triangles, points, surface.topology);
-  surface.report.boundary_loops = count_boundary_loops(surface.topology.twin);
+  const std::vector<BoundaryLoop> holes = find_rim_loops(surface.topology.twin);
+  surface.report.boundary_loops = static_cast<Index>(holes.size());
+  if (surface.repair && options.largest_hole > 0) {
+    check_holes(holes, faces.triangles, points, options.largest_hole);
+  }
   if (!surface.has_rims()) {
     surface.report.cancelled_faces = cancel_opposite_faces(faces, points.size());
   }

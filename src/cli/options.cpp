@@ -137,6 +137,8 @@ std::vector<ValueOption> build_options(Command& command) {
              "which winding numbers are inside; sheet: none, open surfaces stay open"),
       not_negative("--winding-threshold", "W", command.build.winding_threshold,
                    "repair: winding numbers above this are inside, between 0 and 1 (0.5)", 1),
+      not_negative("--largest-hole", "W", command.build.largest_hole,
+                   "repair: wider holes are refused, in model units; 0: all are closed (0)"),
       choice("--pairing", kPairings, command.build.pairing,
              "how hits are linked where a face has more than two"),
       not_negative("--thicken", "T", command.build.thicken,

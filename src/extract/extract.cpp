@@ -246,7 +246,8 @@ ExtractedMesh extract(const Grid& handle, const ExtractOptions& options,
   report(progress, 0.7, "faces");
   ExtractedMesh out;
   const DualMesh mesh = meshing.faces(progress, out.report);
-  if (mesh.open) out.report.boundary_loops = count_boundary_loops(mesh.opposite);
+  if (mesh.open)
+    out.report.boundary_loops = static_cast<Index>(find_rim_loops(mesh.opposite).size());
   report(progress, 0.9, "faces");
   std::vector<Vec3> normals;
   if (options.normals) normals = corner_normals(grid, mesh, crease);

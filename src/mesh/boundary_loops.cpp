@@ -103,7 +103,7 @@ std::vector<BoundaryLoop> find_boundary_loops(std::span<const BoundaryEdge> edge
   return LoopFinder(edges).run();
 }
 
-Index count_boundary_loops(std::span<const Index> twin) {
+std::vector<BoundaryLoop> find_rim_loops(std::span<const Index> twin) {
   const auto next_side = [](Index side) { return side % 3 == 2 ? side - 2 : side + 1; };
   std::vector<BoundaryEdge> edges;
   for (Index side = 0; side < twin.size(); ++side) {
@@ -114,7 +114,7 @@ Index count_boundary_loops(std::span<const Index> twin) {
     // A fan that ends has one side that leaves it: that stands for it, and for its corner.
     edges.push_back({{side, next}, {side, next}, side / 3});
   }
-  return static_cast<Index>(find_boundary_loops(edges).size());
+  return find_boundary_loops(edges);
 }
 
 }  // namespace kdm

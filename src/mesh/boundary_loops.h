@@ -19,8 +19,9 @@ struct BoundaryLoop {
 /// are part of none are left out. Loops start with their lowest edge in the list where they can.
 std::vector<BoundaryLoop> find_boundary_loops(std::span<const BoundaryEdge> edges);
 
-/// The number of such rounds along the sides without twin of a triangle mesh (see `Topology`), also
-/// of those at edges with several faces: from each to the next one round the corner.
-Index count_boundary_loops(std::span<const Index> twin);
+/// Such rounds along the sides without twin of a triangle mesh (see `Topology`), also of those at
+/// edges with several faces: from each to the next one round the corner. Sides stand for the
+/// vertices that they start from.
+std::vector<BoundaryLoop> find_rim_loops(std::span<const Index> twin);
 
 }  // namespace kdm

@@ -125,6 +125,7 @@ TEST_F(Cli, HelpListsTheOptions) {
                                               "--help",
                                               "--inside",
                                               "--json",
+                                              "--largest-hole",
                                               "--link-error",
                                               "--no-strict",
                                               "--no-unfold",

@@ -245,6 +245,24 @@ TEST(Repair, TheThresholdIsAnOption) {
   }
 }
 
+TEST(Repair, HolesTooWideToBeClosedAreRefused) {
+  // The unit square's diagonal.
+  const Mesh box = shapes::open(shapes::cube(), 2);
+  EXPECT_GT(build_grid(box, {.tolerance = 0.01, .largest_hole = 1.42}).stats().hits, 0u);
+  try {
+    build_grid(box, {.tolerance = 0.01, .largest_hole = 1.41});
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kNotClosed);
+    EXPECT_NE(std::string(error.what()).find("1 of 1 holes are wider than largest_hole"),
+              std::string::npos);
+  }
+  // Closed surfaces and sheets have none to close.
+  EXPECT_GT(build_grid(shapes::cube(), {.largest_hole = 0.1}).stats().hits, 0u);
+  EXPECT_GT(build_grid(box, {.inside = InsideRule::kSheet, .largest_hole = 0.1}).stats().hits, 0u);
+  EXPECT_THROW(build_grid(box, {.largest_hole = -1}), Error);
+}
+
 TEST(Repair, GridsAreSavedWithWhatWasInvented) {
   const Grid grid = build_grid(punched(shapes::icosphere(3), 3, 0.3), {.relative_tolerance = 0.01});
   const std::vector<std::uint8_t> bytes = save_grid(grid);

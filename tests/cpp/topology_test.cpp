@@ -109,7 +109,7 @@ TEST(Topology, UnusedPointsDoNotMatter) {
 
 TEST(Topology, BoundaryLoopsGoRoundEachHole) {
   const auto loops = [](const std::vector<Triangle>& triangles) {
-    return count_boundary_loops(build_topology(triangles, 20).twin);
+    return find_rim_loops(build_topology(triangles, 20).twin).size();
   };
   EXPECT_EQ(loops({}), 0u);
   EXPECT_EQ(loops({{0, 1, 2}}), 1u);

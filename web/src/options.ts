@@ -53,6 +53,12 @@ export const buildOptions: Table<BuildOptions> = {
     default: 0.5,
     help: 'repair: winding numbers above this are inside, between 0 and 1',
   },
+  largestHole: {
+    kind: 'number',
+    min: 0,
+    default: 0,
+    help: 'repair: wider holes are refused, in model units; 0: all are closed',
+  },
   pairing: {
     kind: 'choice',
     values: ['trace', 'hermite', 'inside', 'outside'],

@@ -100,6 +100,11 @@ export interface BuildOptions {
    */
   windingThreshold?: number;
   /**
+   * With `repair`: holes wider than this (the diagonal of their bounding box, the model's units) are not
+   * closed but refused with `NOT_CLOSED`. Not negative, default 0, which closes all.
+   */
+  largestHole?: number;
+  /**
    * How hits are linked where a minimal face carries more than two:
    * - `trace` (default): as the input's surface crosses the face
    * - `hermite`: by the least deviation from the hits' tangents

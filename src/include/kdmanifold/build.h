@@ -52,6 +52,9 @@ struct BuildOptions {
   /// `kRepair`: winding numbers above this are inside, 0 to 1 (both excluded). Lower closes wider
   /// gaps, and lets what bulges over them bulge further.
   double winding_threshold = 0.5;
+  /// `kRepair`: holes wider than this (the diagonal of their bounding box, model units) are not
+  /// closed but refused with `kNotClosed`. Not negative; 0 closes all.
+  double largest_hole = 0;
   Pairing pairing = Pairing::kTrace;
   /// Takes the input for a surface that bounds nothing and builds the shell of this thickness
   /// around it (`thicken`), in model units. Not negative; 0 builds the input itself.
