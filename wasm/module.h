@@ -105,6 +105,7 @@ inline val from_grid_stats(const GridStats& stats) {
   to.set("leaves", stats.leaves);
   to.set("hits", stats.hits);
   to.set("depth", stats.depth);
+  to.set("sheet", stats.sheet);
   to.set("bytes", stats.bytes);
   to.set("tolerance", stats.tolerance);
   to.set("topologyResolved", stats.topology_resolved);

@@ -90,6 +90,7 @@ Grid build_grid(const Mesh& mesh, const BuildOptions& options, const Progress& p
   grid->stats.invented_hits = count_invented_hits(*grid);
   grid->stats.topology_resolved =
       grid->stats.topology_resolved && grid->stats.guessed_faces == 0 && !surface.repair;
+  grid->stats.sheet = grid->sheet;
   grid->stats.bytes = grid->bytes();
   report(progress, 1.0, "link");
   return Grid(std::move(grid));

@@ -53,8 +53,7 @@ void round_to_single(Mesh& mesh) {
 int finish(RunReport& report, const Command& command) {
   report.peak_bytes = peak_bytes();
   print(command.json ? report_as_json(report, command) : report_as_text(report, command));
-  const bool sheet = command.build.inside == InsideRule::kSheet;
-  return command.check && !passes_check(report.output, sheet) ? kNotManifold : 0;
+  return command.check && !passes_check(report.output, report.grid.sheet) ? kNotManifold : 0;
 }
 
 int run(const Command& command) {

@@ -85,6 +85,7 @@ Json grid_json(const GridStats& grid) {
           {"leaves", grid.leaves},
           {"hits", grid.hits},
           {"depth", grid.depth},
+          {"sheet", grid.sheet},
           {"bytes", grid.bytes},
           {"tolerance", grid.tolerance},
           {"topologyResolved", grid.topology_resolved},
@@ -247,7 +248,6 @@ std::string repair_text(const RunReport& report) {
 std::string result_text(const RunReport& report, const Command& command) {
   const GridStats& grid = report.grid;
   const MeshReport& output = report.output;
-  const bool sheet = command.build.inside == InsideRule::kSheet;
   std::string text = fmt::format(
       "grid     {}, depth {}: {} cells, {} hits, {:.1f} MB{}\n",
       names_a_grid(command.input) ? "loaded" : word_of(command.build.strategy), grid.depth,
@@ -255,9 +255,9 @@ std::string result_text(const RunReport& report, const Command& command) {
   text += fmt::format("output   {}{}{} vertices, {}, {} parts, Euler characteristic {}, {}\n",
                       command.output, command.output.empty() ? "" : ": ", output.vertices,
                       faces_text(output.triangles, output.quads), output.components,
-                      output.euler_characteristic, kind_text(output, report.extracted, sheet));
+                      output.euler_characteristic, kind_text(output, report.extracted, grid.sheet));
   text += repair_text(report);
-  if (command.check) text += check_text(output, report.self_intersections, sheet);
+  if (command.check) text += check_text(output, report.self_intersections, grid.sheet);
   return text;
 }
 

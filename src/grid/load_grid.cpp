@@ -84,7 +84,7 @@ class GridReader {
     input.lattice_step = grid_.lattice.step;
     grid_.stats.tolerance = grid_.tolerance * grid_.lattice.step;
     grid_.stats.topology_resolved = (flags & format::kTopologyResolved) != 0;
-    grid_.sheet = (flags & format::kSheet) != 0;
+    grid_.sheet = grid_.stats.sheet = (flags & format::kSheet) != 0;
   }
 
   void read_cells(Index splits) {

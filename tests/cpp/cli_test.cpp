@@ -192,9 +192,9 @@ TEST_F(Cli, ReportHasTheDocumentedKeys) {
             (Names{"vertices", "triangles", "closed", "boundaryEdges", "boundaryLoops",
                    "nonManifoldEdges", "degenerateFaces", "cancelledFaces", "duplicateFaces",
                    "sewnEdges", "turnedFaces", "components", "flipped", "latticeStep"}));
-  EXPECT_EQ(keys(json["grid"]),
-            (Names{"cells", "leaves", "hits", "depth", "bytes", "tolerance", "topologyResolved",
-                   "unresolvedLeaves", "ambiguousFaces", "guessedFaces", "inventedHits"}));
+  EXPECT_EQ(keys(json["grid"]), (Names{"cells", "leaves", "hits", "depth", "sheet", "bytes",
+                                       "tolerance", "topologyResolved", "unresolvedLeaves",
+                                       "ambiguousFaces", "guessedFaces", "inventedHits"}));
   EXPECT_EQ(keys(json["output"]), (Names{"vertices",
                                          "triangles",
                                          "quads",
@@ -471,6 +471,9 @@ TEST_F(Cli, SheetsPassTheCheckWithABoundary) {
   EXPECT_EQ(outcome.status, 0);
   EXPECT_NE(outcome.out.find("manifold with 1 boundary loops"), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find("passed: 2-manifold with boundary"), std::string::npos);
+  // What a saved grid was built as is known.
+  EXPECT_EQ(run("open.obj --save-grid open.kdgrid --inside sheet").status, 0);
+  EXPECT_EQ(run("open.kdgrid --check").status, 0);
   EXPECT_NE(complaint("open.obj --inside positive").find("not closed"), std::string::npos)
       << "a solid must be";
 }

@@ -201,12 +201,12 @@ function resultLines(result: NonNullable<CliReport['result']>, command: Command)
     `output   ${command.output === undefined ? '' : `${command.output}: `}` +
       `${output.vertices} vertices, ${faces}, ${output.components} parts, ` +
       `Euler characteristic ${output.eulerCharacteristic}, ` +
-      kindText(output, command),
+      kindText(output, grid.sheet),
   ];
   lines.push(...repairLines(result));
   if (command.check) {
     lines.push(
-      passesCheck(output, command)
+      passesCheck(output, grid.sheet)
         ? `check    passed: 2-manifold${output.twoManifold ? '' : ' with boundary'}; ` +
             `${output.selfIntersections || 'no'} pairs of triangles cross`
         : `check    FAILED: ${output.boundaryEdges} boundary, ${output.nonManifoldEdges} ` +
@@ -226,15 +226,15 @@ function secondsLine(seconds: CliReport['seconds']): string {
   return `seconds  ${taken.join(', ')}`;
 }
 
-function kindText(output: MeshReport, command: Command): string {
+function kindText(output: MeshReport, sheet: boolean): string {
   if (output.twoManifold) return 'closed 2-manifold';
-  if (!passesCheck(output, command)) return 'not 2-manifold';
+  if (!passesCheck(output, sheet)) return 'not 2-manifold';
   return `manifold with ${output.boundaryLoops} boundary loops`;
 }
 
 /** What --check asks: closed and 2-manifold; of a sheet, a manifold that may have a boundary. */
-export function passesCheck(output: MeshReport, command: Command): boolean {
-  return command.build.inside === 'sheet' ? output.manifold : output.twoManifold;
+export function passesCheck(output: MeshReport, sheet: boolean): boolean {
+  return sheet ? output.manifold : output.twoManifold;
 }
 
 function topologyText(grid: GridStats): string {

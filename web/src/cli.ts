@@ -30,9 +30,10 @@ export async function runCli(args: string[]): Promise<Outcome> {
     if (command.help) return { status: 0, out: helpText(), err: '' };
     if (command.version) return { status: 0, out: `kdmanifold ${library.version}\n`, err: '' };
     const report = convertFile(library, command);
-    const output = report.result?.output;
+    const { output, grid } = report.result ?? {};
+    const failed = command.check && output && grid && !passesCheck(output, grid.sheet);
     return {
-      status: command.check && output && !passesCheck(output, command) ? notManifold : 0,
+      status: failed ? notManifold : 0,
       out: command.json ? reportAsJson(report, command) : reportAsText(report, command),
       err: '',
     };

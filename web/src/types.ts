@@ -213,6 +213,8 @@ export interface GridStats {
   leaves: number;
   /** Intersections of the surface with grid edges. */
   hits: number;
+  /** Built as a `sheet`: results may have a boundary. */
+  sheet: boolean;
   /** Depth of the deepest leaf. */
   depth: number;
   /** Memory that the grid holds. */

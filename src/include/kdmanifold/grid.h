@@ -37,6 +37,7 @@ struct GridStats {
   Index leaves = 0;
   Index hits = 0;         ///< intersections of the surface with grid edges
   int depth = 0;          ///< of the deepest leaf
+  bool sheet = false;     ///< built as a sheet: results may have a boundary
   std::size_t bytes = 0;  ///< memory held by the grid
   /// In model units: what was asked for, or more where a surface to be repaired would have taken
   /// beyond all measure. Of strategies that ask for none, what extraction goes by.
