@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "build/input_faces.h"
 #include "geometry/lattice.h"
 #include "geometry/plane.h"
 #include "kdmanifold/build.h"
@@ -29,16 +30,7 @@ struct Surface {
   bool has_rims() const { return sheet || repair; }  ///< sides may lack a twin
 };
 
-/// How far the result may be from the input, model units, where its bounding box has this diagonal.
-inline double tolerance_of(const BuildOptions& options, double diagonal) {
-  return options.tolerance > 0 ? options.tolerance : options.relative_tolerance * diagonal;
-}
-
-/// Checks and converts, by `inside` and the tolerance of the options. Throws `kInvalidMesh` (no
-/// triangles, index out of range, coordinate not finite or beyond 1e150, all points equal) and
-/// `kNotClosed`. What is to be repaired is sewn together where rims are no further apart than the
-/// tolerance, and turned outwards; if that closes it, it is a solid like any other. A sheet may be
-/// open and is neither turned nor freed of faces that lie back to back.
+/// Checks and converts (build/input_faces.h). Throws `kInvalidMesh` and `kNotClosed`.
 Surface prepare_surface(const Mesh& mesh, const BuildOptions& options = {});
 
 }  // namespace kdm
