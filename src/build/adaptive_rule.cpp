@@ -36,6 +36,9 @@ constexpr double kFinestTolerance = 2.0;
 // Topology is not pursued in cells smaller than this fraction of the tolerance: where the input is
 // not embedded it never resolves.
 constexpr double kFloor = 1.0 / 8;
+// And no split is made nearer to a cell's side than this fraction of that, for slabs of a few
+// lattice units are too thin for vertices in 32 bits.
+constexpr double kLeastWidth = 1.0 / 4;
 // Above this many triangles a cell is split on the first sign of misfit even where shells may hide
 // others.
 constexpr std::size_t kMany = 64;
@@ -54,6 +57,7 @@ class AdaptiveRule : public SplitRule {
         analysis_(surface),
         tolerance_(std::max(tolerance, kFinestTolerance)),
         floor_(std::max(kFloor * tolerance, 1.0)),
+        least_(std::max(static_cast<std::int32_t>(kLeastWidth * floor_), 1)),
         depth_(depth),
         placing_(placing),
         features_(surface) {}
@@ -112,11 +116,11 @@ class AdaptiveRule : public SplitRule {
     if (cell.depth >= depth_) return give_up();
     if (placing_ == SplitPlacing::kInTurn) return halve(cell);
     const LatticeBox& box = cell.box;
-    if (box.hi[axis] - box.lo[axis] < 2) {
+    if (box.hi[axis] - box.lo[axis] < 2 * least_) {
       axis = longest_axis(box);
-      if (box.hi[axis] - box.lo[axis] < 2) return give_up();
+      if (box.hi[axis] - box.lo[axis] < 2 * least_) return give_up();
     }
-    return Split{axis, std::clamp(value, box.lo[axis] + 1, box.hi[axis] - 1)};
+    return Split{axis, std::clamp(value, box.lo[axis] + least_, box.hi[axis] - least_)};
   }
 
   static double diagonal(const LatticeBox& box) {
@@ -343,6 +347,7 @@ class AdaptiveRule : public SplitRule {
   CellAnalysis analysis_;
   double tolerance_;
   double floor_;
+  std::int32_t least_;
   int depth_;
   SplitPlacing placing_;
   FeatureFinder features_;
