@@ -130,13 +130,12 @@ void Clashes::find_again(const DualMesh& mesh, const std::vector<Index>& hits) {
   for (const Index h : around) changed_[h] = 0;
 }
 
-std::vector<Index> Clashes::hits(const DualMesh& mesh) const {
-  std::vector<Index> hits;
-  for (const auto& [t, other] : pairs_) hits.insert(hits.end(), {mesh.hit[t], mesh.hit[other]});
-  for (const Index t : flat_) hits.push_back(mesh.hit[t]);
-  std::sort(hits.begin(), hits.end());
-  hits.erase(std::unique(hits.begin(), hits.end()), hits.end());
-  return hits;
+std::vector<Index> Clashes::triangles() const {
+  std::vector<Index> triangles = flat_;
+  for (const auto& [t, other] : pairs_) triangles.insert(triangles.end(), {t, other});
+  std::sort(triangles.begin(), triangles.end());
+  triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+  return triangles;
 }
 
 // The hits, those across strips from them, and those round loops beside theirs in a leaf.

@@ -18,8 +18,8 @@ class Clashes {
   /// The same after the triangles of these hits were changed.
   void find_again(const DualMesh& mesh, const std::vector<Index>& hits);
 
-  /// Hits whose triangles are concerned; ascending.
-  std::vector<Index> hits(const DualMesh& mesh) const;
+  /// The triangles concerned; ascending.
+  std::vector<Index> triangles() const;
   std::uint64_t pairs() const { return pairs_.size(); }
 
  private:

@@ -21,6 +21,7 @@ struct DualMesh {
   std::vector<char> edited;     ///< per hit: more was done to its triangles than division
   std::vector<Index> touched;   ///< hits whose triangles were edited or divided, in turn
   std::vector<char> cut;        ///< per loop: vertices were split off
+  std::vector<Index> beside;    ///< per loop: the next one of its leaf, all round
   std::vector<char> through;    ///< per hit: bit i, as half-edge i was linked at first, the surface
                                 ///< goes through the inside of the minimal face there
   Index dropped_pillows = 0;
@@ -83,5 +84,8 @@ void drop_pillows(DualMesh& mesh);
 /// Finds the loops: every cycle of half-edges round a corner becomes a vertex (paper 2.2), and
 /// every chain from boundary to boundary (2.3.2).
 void find_loops(const GridData& grid, DualMesh& mesh);
+
+/// Finds which loops are in a leaf together.
+void find_beside(const GridData& grid, DualMesh& mesh);
 
 }  // namespace kdm

@@ -25,6 +25,8 @@ class Rounds {
     details_.hits.assign(grid.hits.size(), Detail::kPlain);
     details_.loops.assign(loops.first.size(), Detail::kPlain);
     details_.margin = margin;
+    details_.plain = &loops_;
+    find_beside(grid, loops_);
   }
 
   Embedding run() {
@@ -36,7 +38,7 @@ class Rounds {
     clashes.find(mesh_);
     int round = 0;
     for (;;) {
-      const std::vector<Index> faulty = clashes.hits(mesh_);
+      const std::vector<Index> faulty = clashes.triangles();
       if (faulty.empty() || !add(faulty)) break;
       steps_.report(++round);
       clashes.find_again(mesh_, remake());
@@ -50,29 +52,70 @@ class Rounds {
   }
 
  private:
-  // Adds detail to these hits and to their loops; false if there is none to add.
-  bool add(const std::vector<Index>& hits) {
+  // Adds detail to the hits of these triangles and to their loops; false if there is none to add.
+  bool add(const std::vector<Index>& triangles) {
     around_.clear();
-    for (const Index hit : hits) {
-      const Detail detail = more(details_.hits[hit]);
-      if (detail != details_.hits[hit]) around_.push_back(hit);
-      details_.hits[hit] = detail;
-      for (int i = 0; i < 3; ++i) {
-        const Index v = loops_.vertex[3 * hit + i];
-        if (details_.loops[v] >= detail) continue;
-        details_.loops[v] = detail;
-        steps_.move(loops_, v, detail);
-        loops_.position[v] = rounded(loops_.position[v]);
-        add_ring(v);
+    std::vector<Index> hits;
+    std::vector<Index> crowded;
+    for (const Index t : triangles) {
+      if (details_.hits[mesh_.hit[t]] < Detail::kCentred) {
+        hits.push_back(mesh_.hit[t]);
+      } else {
+        find_crowded(t, crowded);
       }
     }
+    std::sort(hits.begin(), hits.end());
+    hits.erase(std::unique(hits.begin(), hits.end()), hits.end());
+    for (const Index hit : hits) raise(hit, more(details_.hits[hit]));
+    for (const Index v : crowded) draw_inwards(v);
     return !around_.empty();
   }
 
+  // Gives the hit and its loops at least this detail.
+  void raise(Index hit, Detail detail) {
+    if (details_.hits[hit] < detail) {
+      details_.hits[hit] = detail;
+      around_.push_back(hit);
+    }
+    for (int i = 0; i < 3; ++i) {
+      const Index v = loops_.vertex[3 * hit + i];
+      if (details_.loops[v] >= detail) continue;
+      details_.loops[v] = detail;
+      steps_.move(loops_, v, detail);
+      loops_.position[v] = rounded(loops_.position[v]);
+      add_ring(v);
+    }
+  }
+
+  // The loop that the triangle is round, if there are others in its leaf.
+  void find_crowded(Index triangle, std::vector<Index>& crowded) const {
+    for (Index h = 3 * triangle; h < 3 * triangle + 3; ++h) {
+      const Index v = mesh_.vertex[h];
+      if (v < loops_.first.size() && loops_.beside[v] != v) crowded.push_back(v);
+    }
+  }
+
+  // Has this loop and the others of its leaf drawn inwards.
+  void draw_inwards(Index v) {
+    if (details_.loops[v] == Detail::kLayered) return;
+    Index loop = v;
+    do {
+      for_each_hit(loop, [&](Index hit) { raise(hit, Detail::kCentred); });
+      details_.loops[loop] = Detail::kLayered;
+      add_ring(loop);
+      loop = loops_.beside[loop];
+    } while (loop != v);
+  }
+
   void add_ring(Index v) {
+    for_each_hit(v, [this](Index hit) { around_.push_back(hit); });
+  }
+
+  template <typename Visit>
+  void for_each_hit(Index v, const Visit& visit) const {
     Index half_edge = loops_.first[v];
     do {
-      around_.push_back(half_edge / 3);
+      visit(half_edge / 3);
       half_edge = loops_.turn(half_edge);
     } while (half_edge != loops_.first[v] && half_edge != kNone);
   }
@@ -84,6 +127,7 @@ class Rounds {
     Restored part = restore(loops_, around_, mesh_);
     steps_.make(details_, &part, mesh_);
     round_positions(mesh_, vertices);
+    for (const Index v : part.loops) mesh_.position[v] = rounded(mesh_.position[v]);
     std::vector<Index> changed = std::move(part.hits);
     changed.insert(changed.end(), mesh_.touched.begin(), mesh_.touched.end());
     std::sort(changed.begin(), changed.end());

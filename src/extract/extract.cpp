@@ -12,6 +12,7 @@
 #include "extract/embed.h"
 #include "extract/emit.h"
 #include "extract/keep_parts.h"
+#include "extract/layers.h"
 #include "extract/normals.h"
 #include "extract/place.h"
 #include "extract/refine.h"
@@ -89,7 +90,7 @@ class Meshing {
     find_loops(grid_, loops_);
     report(progress, 0.4, "vertices");
     boxes_ = cell_boxes(grid_);
-    points_ = hit_points(grid_, boxes_);
+    points_ = hit_points(grid_, boxes_, options_.strict == Strict::kEmbedded);
     off_ = place_vertices(grid_, boxes_, points_, error_, options_.position, loops_);
   }
 
@@ -179,6 +180,7 @@ class Meshing {
                part == nullptr ? nullptr : &part->hits);
       });
     }
+    if (part != nullptr) links_.note(mesh, [&] { draw_inwards(details, part->loops, mesh); });
     if (part == nullptr) {
       if (options_.strict != Strict::kOff) {
         doubles_.note(mesh, [&] { separate_double_edges(points_, mesh); });
@@ -197,6 +199,21 @@ class Meshing {
     changed.insert(changed.end(), mesh.touched.begin(), mesh.touched.end());
     const std::vector<Index> folds = with_new(std::move(changed), triangles, mesh.triangles());
     flips_ += unfold(grid_, details, mesh, &folds);
+  }
+
+  void draw_inwards(const Details& details, const std::vector<Index>& loops, DualMesh& mesh) const {
+    std::vector<std::pair<Index, Index>> layered;  // leaf and loop
+    for (const Index v : loops) {
+      if (details.of_loop(v) == Detail::kLayered) layered.emplace_back(mesh.leaf[v], v);
+    }
+    std::sort(layered.begin(), layered.end());
+    std::vector<Index> together;
+    for (std::size_t i = 0; i < layered.size(); ++i) {
+      together.push_back(layered[i].second);
+      if (i + 1 < layered.size() && layered[i + 1].first == layered[i].first) continue;
+      kdm::draw_inwards(boxes_[layered[i].first], together, mesh);
+      together.clear();
+    }
   }
 
   // Of the loop's hits, and the distance to the furthest.

@@ -3,7 +3,9 @@
 #include "extract/link_point.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "extract/envelope.h"
 #include "geometry/quadric.h"
@@ -13,6 +15,8 @@ namespace {
 
 // How far an arc between hits of one edge leaves it, as a fraction of their distance.
 constexpr double kArcHeight = 0.05;
+// Where there is room, no less than this, lattice units.
+constexpr double kSeen = 0.375;
 
 // How far a vertex keeps off the sides of its face at most, as a fraction of the face's size.
 constexpr double kPart = 1.0 / 64;
@@ -32,17 +36,102 @@ bool on_side(const LinkFace& face, const Vec3& p) {
   return false;
 }
 
+// Links of a face whose hits both lie on one of its sides, and what passes over them.
+class Arcs {
+ public:
+  Arcs(const std::vector<Vec3>& points, const LinkFace& face, int side, bool low)
+      : points_(points),
+        side_(side),
+        along_(3 - side - face.axis),
+        base_(low ? face.lo[side] : face.hi[side]),
+        up_(low ? 1 : -1),
+        width_(face.hi[side] - face.lo[side]),
+        slope_(kArcHeight * std::min(1.0, width_ / (face.hi[along_] - face.lo[along_]))) {}
+
+  // Longer ones come first: they pass over shorter ones.
+  std::vector<HitPair> sorted(std::vector<HitPair> links) const {
+    std::sort(links.begin(), links.end(), [&](const HitPair& a, const HitPair& b) {
+      const double first = is_arc(a) ? length(a) : std::numeric_limits<double>::infinity();
+      const double second = is_arc(b) ? length(b) : std::numeric_limits<double>::infinity();
+      if (first != second) return first > second;
+      return std::pair(a.hit, a.other) < std::pair(b.hit, b.other);
+    });
+    return links;
+  }
+
+  bool is_arc(const HitPair& link) const {
+    return points_[link.hit][side_] == base_ && points_[link.other][side_] == base_;
+  }
+
+  double usual_height(const HitPair& link) const { return slope_ * length(link); }
+
+  // How far the link leaves the side: by its length, but enough to be seen in 32 bits, and half as
+  // far as those over it at most.
+  double height(const HitPair& link) const {
+    double limit = 2 * std::max(usual_height(link), std::min(kSeen, width_ / 4));
+    for (const Line& line : lines_) limit = std::min(limit, least_over(line, link));
+    return limit / 2;
+  }
+
+  // What is to pass over those that come later; `height` is an arc's.
+  void add(const HitPair& link, double height) {
+    const Vec3& p = points_[link.hit];
+    const Vec3& q = points_[link.other];
+    const double middle = is_arc(link) ? height : 0.5 * (above(p) + above(q));
+    const double half = 0.5 * (p[along_] + q[along_]);
+    lines_.push_back({{p[along_], half, q[along_]}, {above(p), middle, above(q)}});
+  }
+
+ private:
+  struct Line {
+    std::array<double, 3> along;
+    std::array<double, 3> above;
+  };
+
+  double length(const HitPair& link) const {
+    return std::abs(points_[link.hit][along_] - points_[link.other][along_]);
+  }
+  double above(const Vec3& p) const { return up_ * (p[side_] - base_); }
+
+  // Between the arc's hits.
+  double least_over(const Line& line, const HitPair& arc) const {
+    const auto [lo, hi] = std::minmax(points_[arc.hit][along_], points_[arc.other][along_]);
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < 2; ++i) {
+      const double from = line.along[i];
+      const double to = line.along[i + 1];
+      if (std::max(from, to) < lo || std::min(from, to) > hi) continue;
+      for (const double x : {lo, hi}) {
+        const double part = from == to ? 0 : std::clamp((x - from) / (to - from), 0.0, 1.0);
+        least = std::min(least, line.above[i] + part * (line.above[i + 1] - line.above[i]));
+      }
+      if (from == to) least = std::min(least, line.above[i + 1]);
+    }
+    return least;
+  }
+
+  const std::vector<Vec3>& points_;
+  int side_;
+  int along_;
+  double base_;
+  double up_;
+  double width_;
+  double slope_;
+  std::vector<Line> lines_;
+};
+
 // The point; if both hits lie on a side of the face, a little off it at least.
-Vec3 off_side(const std::vector<Vec3>& points, const LinkFace& face, Index hit, Index other,
-              Vec3 point) {
-  const int side = common_side(face, points[hit], points[other]);
+Vec3 off_side(const std::vector<Vec3>& points, const LinkFace& face, HitPair link,
+              const std::vector<HitPair>& links, Vec3 point) {
+  const int side = common_side(face, points[link.hit], points[link.other]);
   if (side < 0) return point;
-  const int along = 3 - side - face.axis;
-  const double width = face.hi[side] - face.lo[side];
-  const double length = face.hi[along] - face.lo[along];
-  const double distance = std::abs(points[hit][along] - points[other][along]);
-  const double height = kArcHeight * distance * std::min(1.0, width / length);
-  const bool low = points[hit][side] == face.lo[side];
+  const bool low = points[link.hit][side] == face.lo[side];
+  Arcs arcs(points, face, side, low);
+  for (const HitPair& other : arcs.sorted(links)) {
+    if (other.hit == link.hit || other.hit == link.other) break;
+    arcs.add(other, arcs.is_arc(other) ? arcs.height(other) : 0);
+  }
+  const double height = links.empty() ? arcs.usual_height(link) : arcs.height(link);
   point[side] = low ? std::max(point[side], face.lo[side] + height)
                     : std::min(point[side], face.hi[side] - height);
   return point;
@@ -76,8 +165,9 @@ bool within(const LinkFace& face, const Vec3& point) {
   return true;
 }
 
-Vec3 chord_point(const std::vector<Vec3>& points, const LinkFace& face, Index hit, Index other) {
-  return off_side(points, face, hit, other, 0.5 * (points[hit] + points[other]));
+Vec3 chord_point(const std::vector<Vec3>& points, const LinkFace& face, HitPair link,
+                 const std::vector<HitPair>& links) {
+  return off_side(points, face, link, links, 0.5 * (points[link.hit] + points[link.other]));
 }
 
 Vec3 crease_point(const GridData& grid, const std::vector<Vec3>& points, const LinkFace& face,
@@ -92,7 +182,7 @@ Vec3 crease_point(const GridData& grid, const std::vector<Vec3>& points, const L
   if (std::abs(chord.dot(crease - middle)) > 0.5 * chord.squaredNorm() && on_side(face, crease)) {
     crease = middle;
   }
-  return off_side(points, face, hit, other, crease);
+  return off_side(points, face, {hit, other}, {}, crease);
 }
 
 }  // namespace kdm

@@ -25,9 +25,17 @@ Vec3 off_sides(const LinkFace& face, const Vec3& point, double margin);
 /// Is the point, which lies in the face's plane, clear of its sides?
 bool within(const LinkFace& face, const Vec3& point);
 
+/// A link by its two hits.
+struct HitPair {
+  Index hit;
+  Index other;
+};
+
 /// The middle between the two hits; off their line, into the face, if that is one of its sides, so
-/// that arcs over one edge stay apart, nested ones nested.
-Vec3 chord_point(const std::vector<Vec3>& points, const LinkFace& face, Index hit, Index other);
+/// that arcs over one edge stay apart, nested ones nested. Given all links of the face, which do
+/// not cross: so that it keeps clear of them all if they have theirs by the same rule.
+Vec3 chord_point(const std::vector<Vec3>& points, const LinkFace& face, HitPair link,
+                 const std::vector<HitPair>& links = {});
 
 /// Where the two hits' planes meet in the face, near the middle between them where they agree.
 /// Off their line like `chord_point`.

@@ -138,4 +138,15 @@ void find_loops(const GridData& grid, DualMesh& mesh) {
   }
 }
 
+void find_beside(const GridData& grid, DualMesh& mesh) {
+  mesh.beside.resize(mesh.first.size());
+  std::vector<Index> last(grid.cells.size(), kNone);  // of each leaf
+  for (Index v = 0; v < mesh.beside.size(); ++v) {
+    Index& before = last[mesh.leaf[v]];
+    mesh.beside[v] = before == kNone ? v : mesh.beside[before];
+    if (before != kNone) mesh.beside[before] = v;
+    before = v;
+  }
+}
+
 }  // namespace kdm

@@ -10,8 +10,10 @@
 
 namespace kdm {
 
-/// The surface point of every hit, in lattice coordinates.
-std::vector<Vec3> hit_points(const GridData& grid, const std::vector<LatticeBox>& boxes);
+/// The surface point of every hit, in lattice coordinates. If they must be told `apart` in 32 bits,
+/// those that lie together on an edge, or at a grid vertex, are moved by a lattice unit or two.
+std::vector<Vec3> hit_points(const GridData& grid, const std::vector<LatticeBox>& boxes,
+                             bool apart = false);
 
 /// The point of the box with the least squared distances to the hits' planes, or the point nearest
 /// to where they are least anywhere.

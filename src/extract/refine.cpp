@@ -93,7 +93,7 @@ class Refinement {
     const Vec3& q = mesh_.position[b];
     const Detail detail = level(h / 3, other / 3);
     const Vec3 crossing = crossing_point(*face, p, q);
-    std::optional<Vec3> vertex = vertex_on(*face, detail, h / 3, other / 3, crossing);
+    std::optional<Vec3> vertex = vertex_on(*face, detail, h, other, crossing);
     bool through = within(*face, crossing) && !nearly_parallel(q - p, face->axis);
     if (vertex) {
       // Arcs over one edge must stay nested.
@@ -106,14 +106,41 @@ class Refinement {
   }
 
   // What the link needs, if anything.
-  std::optional<Vec3> vertex_on(const LinkFace& face, Detail detail, Index hit, Index other,
-                                const Vec3& crossing) const {
+  std::optional<Vec3> vertex_on(const LinkFace& face, Detail detail, Index half_edge,
+                                Index opposite, const Vec3& crossing) const {
+    const Index hit = half_edge / 3;
+    const Index other = opposite / 3;
     if (detail == Detail::kPlain && fits_chord(face, hit, other, crossing)) return std::nullopt;
-    if (detail >= Detail::kApart) return chord_point(points_, face, hit, other);
+    if (detail >= Detail::kApart) {
+      std::vector<HitPair> links;
+      if (details_.plain != nullptr) links = links_beside(*details_.plain, half_edge);
+      return chord_point(points_, face, {hit, other}, links);
+    }
     const Vec3 corner = crease_point(grid_, points_, face, hit, other);
     const bool wanted = detail == Detail::kFull || detail == Detail::kInside ||
                         misses(hit, corner, other, crossing);
     return wanted ? std::optional(corner) : std::nullopt;
+  }
+
+  // All between the two leaves of the half-edge's link.
+  static std::vector<HitPair> links_beside(const DualMesh& plain, Index link) {
+    const auto leaf_beyond = [&](Index h) { return plain.leaf[plain.vertex[next_in_triangle(h)]]; };
+    std::vector<HitPair> links;
+    const Index first = plain.vertex[link];
+    Index v = first;
+    do {
+      Index h = plain.first[v];
+      do {
+        const Index other = plain.opposite[h];
+        const bool strip = (plain.strip[h / 3] >> (h % 3) & 1) != 0;
+        if (other != kNone && !strip && leaf_beyond(h) == leaf_beyond(link)) {
+          links.push_back({h / 3, other / 3});
+        }
+        h = plain.turn(h);
+      } while (h != plain.first[v] && h != kNone);
+      v = plain.beside[v];
+    } while (v != first);
+    return links;
   }
 
   void mark_through(Index half_edge, bool through) {

@@ -42,15 +42,20 @@ class Restoring {
       const Index other = loops_.opposite[half_edge];
       if (other != kNone && !(as_it_was(half_edge) && as_it_was(other))) include(other / 3);
       const Index v = loops_.vertex[half_edge];
+      if (!loops_.beside.empty() && loops_.beside[v] != v) include_ring(loops_.beside[v]);
       if (!was_cut(v)) continue;
       found_.cut.push_back(v);
       mesh_.cut[v] = 0;
-      Index turned = loops_.first[v];
-      do {
-        include(turned / 3);
-        turned = loops_.turn(turned);
-      } while (turned != loops_.first[v] && turned != kNone);
+      include_ring(v);
     }
+  }
+
+  void include_ring(Index v) {
+    Index half_edge = loops_.first[v];
+    do {
+      include(half_edge / 3);
+      half_edge = loops_.turn(half_edge);
+    } while (half_edge != loops_.first[v] && half_edge != kNone);
   }
 
   bool was_cut(Index v) const { return v < mesh_.cut.size() && mesh_.cut[v] != 0; }

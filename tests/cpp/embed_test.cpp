@@ -2,6 +2,7 @@
 // Results that do not meet themselves.
 #include "extract/embed.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "extract/place.h"
@@ -57,6 +58,34 @@ TEST(Embed, NothingCrosses) {
   }
   EXPECT_GT(plain_crossings, 50u);
   EXPECT_GT(refined, 30u);
+}
+
+// On a grid far too coarse leaves hold many loops; fans round vertices of theirs would cross.
+TEST(Embed, SeveralLoopsInALeaf) {
+  std::size_t crowded = 0;
+  for (std::uint32_t seed = 0; seed < 6; ++seed) {
+    for (const int depth : {6, 9}) {
+      SCOPED_TRACE(fmt::format("seed {}, depth {}", seed, depth));
+      const Mesh mesh = shapes::random_tetrahedra(30, seed);
+      const Grid grid =
+          build_grid(mesh, {.strategy = SplitStrategy::kUniform,
+                            .depth = depth,
+                            .pairing = seed % 2 == 0 ? Pairing::kTrace : Pairing::kInside});
+      const ExtractedMesh out = extract(grid, kEmbedded);
+      EXPECT_EQ(*out.report.crossings, find_self_intersections(out).pairs);
+      EXPECT_EQ(*out.report.crossings, 0u);
+      EXPECT_TRUE(check::is_two_manifold(out));
+      const MeshReport plain = describe(extract(grid));
+      const MeshReport shape = describe(out);
+      EXPECT_EQ(shape.components, plain.components);
+      EXPECT_EQ(shape.euler_characteristic, plain.euler_characteristic);
+      DualMesh dual = dual_mesh_of(grid.data());
+      find_loops(grid.data(), dual);
+      find_beside(grid.data(), dual);
+      for (Index v = 0; v < dual.beside.size(); ++v) crowded += dual.beside[v] != v ? 1 : 0;
+    }
+  }
+  EXPECT_GT(crowded, 100u);
 }
 
 // Voxels that touch along edges: no result with that surface keeps clear of itself.

@@ -66,7 +66,7 @@ struct TwoHits {
     grid.hits = {Hit(0, 0, false, false), Hit(0, 1, false, false)};
   }
   Vec3 crease() const { return crease_point(grid, points, face, 0, 1); }
-  Vec3 chord() const { return chord_point(points, face, 0, 1); }
+  Vec3 chord() const { return chord_point(points, face, {0, 1}); }
 };
 
 TEST(LinkPoint, IsWhereThePlanesMeet) {
@@ -79,6 +79,27 @@ TEST(LinkPoint, IsWhereThePlanesMeet) {
   const TwoHits bent(Vec3(8, 0, 9), Vec3(0, -1, 1), Vec3(8, 1, 10), Vec3(0, -3, 1));
   EXPECT_TRUE((bent.crease().array() >= bent.face.lo.array()).all());
   EXPECT_TRUE((bent.crease().array() <= bent.face.hi.array()).all());
+}
+
+// z  _______----- 2-3 from the edge itself to the side beyond it
+//   2--. 0-1 .     passes over the arc 0-1, and that over 4-5
+TEST(LinkPoint, ArcsKeepBelowWhatPassesOver) {
+  const LinkFace face{Vec3(8, 0, 0), Vec3(8, 100, 50), 0};
+  const std::vector<Vec3> points = {Vec3(8, 20, 0),  Vec3(8, 80, 0), Vec3(8, 10, 0),
+                                    Vec3(8, 100, 1), Vec3(8, 40, 0), Vec3(8, 70, 0),
+                                    Vec3(8, 30, 50), Vec3(8, 60, 50)};
+  const std::vector<HitPair> links = {{4, 5}, {0, 1}, {6, 7}, {2, 3}};
+  const Vec3 outer = chord_point(points, face, {0, 1}, links);
+  const Vec3 inner = chord_point(points, face, {4, 5}, links);
+  EXPECT_GT(chord_point(points, face, {0, 1})[2], 1) << "by its length alone it would cross 2-3";
+  // The line 2-3 rises from 0 at y = 10 to 1 at y = 100.
+  EXPECT_LT(outer[2], 1.0 / 9 + 1e-12);
+  EXPECT_GT(outer[2], 0.01);
+  EXPECT_LT(inner[2], outer[2] * 2 / 3) << "the outer arc's height over y = 40";
+  EXPECT_GT(inner[2], 0);
+  EXPECT_EQ(inner[1], 55);
+  EXPECT_EQ(chord_point(points, face, {2, 3}, links), Vec3(8, 55, 0.5));
+  EXPECT_LT(chord_point(points, face, {6, 7}, links)[2], 50) << "the other way, from another side";
 }
 
 TEST(LinkPoint, ArcsOverOneEdgeLeaveItNested) {

@@ -254,8 +254,8 @@ export interface ExtractReport {
   /** `embedded`: hits that got vertices so that nothing crosses. */
   refinedHits: number;
   /**
-   * `embedded`: pairs of triangles that still cross or touch; 0 unless several parts of the surface in one
-   * leaf, or nearer to each other than 32 bits tell apart, are in each other's way. Else null: nobody has looked.
+   * `embedded`: pairs of triangles that still cross or touch; 0 unless parts of the surface nearer to each other
+   * than 32 bits tell apart are in each other's way, or sheets cross. Else null: nobody has looked.
    */
   crossings: number | null;
   /** Parts left out as `parts` asks. */
