@@ -194,7 +194,7 @@ TEST(GridDamage, HostileNumbersAreRefused) {
   const std::size_t flags_at = kReportsAt + [&] {
     std::size_t numbers = 0;
     std::size_t at = kReportsAt;
-    for (; numbers < 12; ++at) numbers += sound[at] < 0x80 ? 1 : 0;
+    for (; numbers < 13; ++at) numbers += sound[at] < 0x80 ? 1 : 0;
     return at - kReportsAt;
   }();
   expect_after([&](Bytes& b) { b[flags_at] = 16; }, "no such flags");

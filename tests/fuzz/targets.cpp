@@ -59,7 +59,7 @@ Mesh torn(Mesh mesh, unsigned pattern) {
 
 void parse_bytes(const std::uint8_t* bytes, std::size_t size) {
   if (size == 0) return;
-  const auto format = static_cast<MeshFormat>(bytes[0] % 5);
+  const auto format = static_cast<MeshFormat>(bytes[0] % 4);
   Mesh mesh;
   try {
     mesh = parse_mesh(std::string_view(reinterpret_cast<const char*>(bytes + 1), size - 1), format);
