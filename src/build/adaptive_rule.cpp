@@ -57,7 +57,8 @@ class AdaptiveRule : public SplitRule {
         analysis_(surface),
         tolerance_(std::max(tolerance, kFinestTolerance)),
         floor_(std::max(kFloor * tolerance, 1.0)),
-        least_(std::max(static_cast<std::int32_t>(kLeastWidth * floor_), 1)),
+        least_(static_cast<std::int32_t>(
+            std::clamp(kLeastWidth * floor_, 1.0, static_cast<double>(kLatticeSize)))),
         depth_(depth),
         placing_(placing),
         features_(surface) {}
