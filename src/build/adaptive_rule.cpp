@@ -9,6 +9,8 @@
 // Topology. Every piece is a disk that reaches the cell's edges, no face of the cell holds a closed
 // curve, no closed part lies all round one edge, and no two triangles cross (cell_analysis.h).
 // Where no leaf fails, the input comes out homeomorphic.
+// Small parts. What a part needs to come out at all, cut where it is best placed, often meets the
+// tolerance too. So topology comes first among them, and they are separated before any is cut.
 // Sheets. A vertex on the rim must meet the planes through it as well; pieces may be half-disks.
 // Where sheets cross, each keeps its own vertices.
 // Holes. Where a surface that is to be closed ends, its vertices belong on the rim as a sheet's do;
@@ -22,6 +24,7 @@
 
 #include "build/cell_analysis.h"
 #include "build/feature_point.h"
+#include "build/part_cuts.h"
 #include "build/rim.h"
 #include "build/split_rules.h"
 #include "geometry/distance.h"
@@ -39,6 +42,11 @@ constexpr double kFloor = 1.0 / 8;
 // And no split is made nearer to a cell's side than this fraction of that, for slabs of a few
 // lattice units are too thin for vertices in 32 bits.
 constexpr double kLeastWidth = 1.0 / 4;
+// Nor are cells cut along where they are thinner than this fraction of that.
+constexpr double kThin = 1.0 / 16;
+// A bar reaches this much further to a side, at most, than its section with a face does, if it is
+// to be cut along that side's middle.
+constexpr double kLean = 2;
 // Above this many triangles a cell is split on the first sign of misfit even where shells may hide
 // others.
 constexpr std::size_t kMany = 64;
@@ -61,7 +69,8 @@ class AdaptiveRule : public SplitRule {
             std::clamp(kLeastWidth * floor_, 1.0, static_cast<double>(kLatticeSize)))),
         depth_(depth),
         placing_(placing),
-        features_(surface) {}
+        features_(surface),
+        parts_(surface) {}
 
   std::optional<Split> choose(const CellView& cell) override {
     // An octree's cell is cut in eight or not at all.
@@ -69,17 +78,24 @@ class AdaptiveRule : public SplitRule {
     collect_crossings(cell);
     // Whatever lies in a cell smaller than the tolerance is met.
     const bool small = diagonal(cell.box) <= tolerance_;
+    const bool small_parts = find_small_parts(cell);
     const bool simple = !hits_.empty() && !dropped_;
-    if (!small && (simple || cell.entries.size() > kMany) && quick_misfit(cell)) return halve(cell);
+    if (!small && !small_parts && (simple || cell.entries.size() > kMany) && quick_misfit(cell)) {
+      return halve(cell);
+    }
     analysis_.find_pieces(cell.box, cell.entries, crossings_);
     if (analysis_.members().empty()) return std::nullopt;
     assign_pieces();
     // Crossings drop out where shells cross and where one lies within another.
     overlap_ = (dropped_ && analysis_.triangles_cross()) || several_rims();
-    if (!small && !pieces_fit(cell.box)) return halve(cell);
-    if (const std::optional<LatticeBox> target = unresolved_part(cell.box)) {
-      return pursue(cell, *target);
+    std::optional<LatticeBox> target;
+    if (small_parts) {
+      target = unresolved_part(cell.box);
+      if (target && !below_floor(cell.box)) return pursue(cell, *target);
     }
+    if (!small && !pieces_fit(cell.box)) return halve(cell);
+    if (!small_parts) target = unresolved_part(cell.box);
+    if (target) return pursue(cell, *target);
     if (surface_.sheet) return std::nullopt;
     if (overlap_) return give_up();
     if (dropped_ || !analysis_.triangles_cross()) return std::nullopt;
@@ -93,6 +109,18 @@ class AdaptiveRule : public SplitRule {
   }
 
  private:
+  // Is topology to come first here? Not among parts that crowd without a plane between them: each
+  // would be cut to its end before the next.
+  bool find_small_parts(const CellView& cell) {
+    between_parts_.reset();
+    if (placing_ == SplitPlacing::kInTurn || surface_.has_rims() ||
+        !parts_.all_small(cell.entries)) {
+      return false;
+    }
+    between_parts_ = parts_.propose(cell.entries);
+    return between_parts_ || !parts_.crowded(cell.entries);
+  }
+
   // Leaf because it must be one.
   std::optional<Split> give_up() {
     ++unresolved_;
@@ -109,34 +137,46 @@ class AdaptiveRule : public SplitRule {
       if (const std::optional<Split> split = features_.propose(cell.box, cell.entries))
         return split;
     }
+    return halve_longest(cell);
+  }
+
+  std::optional<Split> halve_longest(const CellView& cell) {
     const int axis = longest_axis(cell.box);
-    return split_at(cell, axis, cell.box.lo[axis] + (cell.box.hi[axis] - cell.box.lo[axis]) / 2);
+    return split_at(cell, axis, cell.box.lo[axis] + extent(cell.box, axis) / 2);
   }
 
   std::optional<Split> split_at(const CellView& cell, int axis, std::int32_t value) {
     if (cell.depth >= depth_) return give_up();
     if (placing_ == SplitPlacing::kInTurn) return halve(cell);
     const LatticeBox& box = cell.box;
-    if (box.hi[axis] - box.lo[axis] < 2 * least_) {
+    if (extent(box, axis) < 2 * least_) {
       axis = longest_axis(box);
-      if (box.hi[axis] - box.lo[axis] < 2 * least_) return give_up();
+      if (extent(box, axis) < 2 * least_) return give_up();
     }
     return Split{axis, std::clamp(value, box.lo[axis] + least_, box.hi[axis] - least_)};
+  }
+
+  bool has_room(const LatticeBox& box, const Split& split) const {
+    return split.value - box.lo[split.axis] >= least_ && box.hi[split.axis] - split.value >= least_;
   }
 
   static double diagonal(const LatticeBox& box) {
     double sum = 0;
     for (int i = 0; i < 3; ++i) {
-      const double extent = box.hi[i] - box.lo[i];
-      sum += extent * extent;
+      const double side = extent(box, i);
+      sum += side * side;
     }
     return std::sqrt(sum);
+  }
+
+  static std::int32_t extent(const LatticeBox& box, int axis) {
+    return box.hi[axis] - box.lo[axis];
   }
 
   static int longest_axis(const LatticeBox& box) {
     int axis = 0;
     for (int i = 1; i < 3; ++i) {
-      if (box.hi[i] - box.lo[i] > box.hi[axis] - box.lo[axis]) axis = i;
+      if (extent(box, i) > extent(box, axis)) axis = i;
     }
     return axis;
   }
@@ -308,12 +348,13 @@ class AdaptiveRule : public SplitRule {
       return piece.crossings > 0 && piece.kept == 0;
     });
     if (all_internal) return std::nullopt;
-    if (!analysis_.pieces_are_disks()) return unresolved_bounds(box);
-    if (const std::optional<ClosedCurve> curve = analysis_.find_closed_curve()) {
-      LatticeBox bounds = curve->bounds;
-      bounds.hi[curve->axis] = bounds.lo[curve->axis];  // never in the face's own plane
-      return bounds;
+    const bool disks = analysis_.pieces_are_disks();
+    if (disks || !surface_.has_rims()) {
+      if (const std::optional<ClosedCurve> curve = analysis_.find_closed_curve()) {
+        if (const std::optional<LatticeBox> part = part_to_open(*curve, disks)) return part;
+      }
     }
+    if (!disks) return unresolved_bounds(box);
     if (const std::optional<Index> pillow = analysis_.find_pillow()) {
       const Piece& piece = pieces[*pillow];
       const int along = std::countr_zero(piece.edges) / 4;
@@ -325,23 +366,54 @@ class AdaptiveRule : public SplitRule {
     return std::nullopt;
   }
 
-  // Splits in the middle of what is not resolved, down to the floor.
+  // A plane through the middle of a closed curve opens it. So a bar is cut along, where cuts across
+  // would leave slices as thick as they are wide; unless it leans out of the plane before it ends.
+  std::optional<LatticeBox> part_to_open(const ClosedCurve& curve, bool disks) const {
+    const LatticeBox& piece = analysis_.pieces()[curve.piece].bounds;
+    LatticeBox bounds = curve.bounds;
+    bounds.hi[curve.axis] = bounds.lo[curve.axis];  // never in the face's own plane
+    if (disks) return bounds;
+    bool upright = false;
+    for (const int axis : {next_axis(curve.axis), previous_axis(curve.axis)}) {
+      if (extent(piece, axis) > kLean * extent(curve.bounds, axis)) {
+        bounds.hi[axis] = bounds.lo[axis];
+      } else {
+        upright = true;
+      }
+    }
+    return upright ? std::optional(bounds) : std::nullopt;
+  }
+
+  double floor() const {
+    return surface_.repair && !analysis_.rims().empty() ? tolerance_ : floor_;
+  }
+
+  bool below_floor(const LatticeBox& box) const { return extent(box, longest_axis(box)) < floor(); }
+
+  // Splits between parts, or in the middle of what is not resolved, down to the floor.
   std::optional<Split> pursue(const CellView& cell, const LatticeBox& target) {
-    const int longest = longest_axis(cell.box);
-    const double floor = surface_.repair && !analysis_.rims().empty() ? tolerance_ : floor_;
-    if (cell.box.hi[longest] - cell.box.lo[longest] < floor) return give_up();
+    if (below_floor(cell.box)) return give_up();
+    if (between_parts_ && cell.depth < depth_ && has_room(cell.box, *between_parts_)) {
+      return between_parts_;
+    }
     const int axis = longest_axis(target);
     // A spike of a sheet has two rims at any size: it would be followed to its tip.
-    if (surface_.has_rims() && target.hi[axis] - target.lo[axis] < floor_) return give_up();
-    return split_at(cell, axis, target.lo[axis] + (target.hi[axis] - target.lo[axis]) / 2);
+    if (surface_.has_rims() && extent(target, axis) < floor_) return give_up();
+    // Where the input is not embedded curves stay closed.
+    if (extent(cell.box, axis) < kThin * floor_) return halve_longest(cell);
+    return split_at(cell, axis, target.lo[axis] + extent(target, axis) / 2);
   }
 
   // A piece that no edge of the cell meets, or that lies between two rims; else all of them.
   LatticeBox unresolved_bounds(const LatticeBox& box) const {
-    for (const Piece& piece : analysis_.pieces()) {
+    const std::span<const Piece> pieces = analysis_.pieces();
+    for (const Piece& piece : pieces) {
       if (piece.crossings == 0 || piece.rims > 1) return piece.bounds;
     }
-    return box;
+    if (surface_.has_rims()) return box;
+    LatticeBox bounds = pieces.front().bounds;
+    for (const Piece& piece : pieces) widen(bounds, piece.bounds);
+    return bounds;
   }
 
   const Surface& surface_;
@@ -352,8 +424,10 @@ class AdaptiveRule : public SplitRule {
   int depth_;
   SplitPlacing placing_;
   FeatureFinder features_;
-  bool dropped_ = false;  // not all of the cell's crossings are kept
-  bool overlap_ = false;  // shells cross in this cell
+  PartCuts parts_;
+  std::optional<Split> between_parts_;  // a cut between small parts, if there is one
+  bool dropped_ = false;                // not all of the cell's crossings are kept
+  bool overlap_ = false;                // shells cross in this cell
   Index unresolved_ = 0;
   CellCrossings crossings_;
   std::vector<PlannedHit> hits_;

@@ -11,6 +11,7 @@
 #include "build/cell_analysis.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "geometry/triangle_box.h"
 #include "geometry/triangle_triangle.h"
@@ -31,6 +32,13 @@ bool reaches_plane(const ClippedPolygon& polygon, const Plane& plane) {
     below = below || distance < 1;
   }
   return above && below;
+}
+
+// Is the cell's edge (see `cell_edge`) part of the outline of this side?
+bool lies_on_side(int edge, int axis, bool high) {
+  const int along = edge / 4;
+  if (along == axis) return false;
+  return ((next_axis(along) == axis ? edge & 1 : edge & 2) != 0) == high;
 }
 
 }  // namespace
@@ -125,11 +133,7 @@ void CellAnalysis::find_pieces(const LatticeBox& box, std::span<const ListEntry>
     } else {
       piece_[m] = piece_[root];
     }
-    LatticeBox& bounds = pieces_[piece_[m]].bounds;
-    for (int i = 0; i < 3; ++i) {
-      bounds.lo[i] = std::min(bounds.lo[i], bounds_[m].lo[i]);
-      bounds.hi[i] = std::max(bounds.hi[i], bounds_[m].hi[i]);
-    }
+    widen(pieces_[piece_[m]].bounds, bounds_[m]);
   }
   cell_rims_ = rim_sides_;
   for (const Index side : cell_rims_) {
@@ -173,17 +177,53 @@ std::optional<ClosedCurve> CellAnalysis::find_closed_curve() {
       const auto rims = static_cast<Index>(rim_sides_.size());
       const Index open = (crossings_->round_face[axis][high ? 1 : 0] + rims) / 2;
       if (parts == open && !part_ends_in_two_rims()) continue;
-      ClosedCurve curve{axis, bounds_[subset_[0]]};
-      for (const Index m : subset_) {
-        for (int i = 0; i < 3; ++i) {
-          curve.bounds.lo[i] = std::min(curve.bounds.lo[i], bounds_[m].lo[i]);
-          curve.bounds.hi[i] = std::max(curve.bounds.hi[i], bounds_[m].hi[i]);
-        }
-      }
-      return curve;
+      return closed_curve(axis, high);
     }
   }
   return std::nullopt;
+}
+
+// The first of the parts just counted on a face that has no end.
+ClosedCurve CellAnalysis::closed_curve(int axis, bool high) {
+  ended_.assign(members_.size(), 0);
+  const auto end_at = [&](Index triangle) {
+    const Index m = local_[triangle];
+    if (m != kNone && parent_[m] != kNone) ended_[find(m)] = 1;
+  };
+  for (const CellCrossing& crossing : crossings_->all) {
+    if (lies_on_side(crossing.edge, axis, high)) end_at(crossing.triangle);
+  }
+  for (const Index side : rim_sides_) end_at(side / 3);
+  for (const Index m : subset_) {
+    if (ended_[find(m)] != 0) continue;
+    const std::int32_t plane = high ? box_.hi[axis] : box_.lo[axis];
+    return {axis, section_bounds(find(m), axis, plane), piece_[m]};
+  }
+  LatticeBox bounds = bounds_[subset_[0]];
+  for (const Index m : subset_) widen(bounds, bounds_[m]);
+  return {axis, bounds, piece_[subset_[0]]};
+}
+
+// Of a curve within the face, rounded outwards. Triangles reach further than their sections.
+LatticeBox CellAnalysis::section_bounds(Index part, int axis, std::int32_t plane) {
+  LatticeBox bounds{box_.hi, box_.lo};
+  for (const Index m : subset_) {
+    if (find(m) != part) continue;
+    const LatticeTriangle& t = surface_.triangles[members_[m]];
+    for (int i = 0; i < 3; ++i) {
+      const LatticePoint& a = t[i];
+      const LatticePoint& b = t[next_corner(i)];
+      if (below_plane(a[axis], plane) == below_plane(b[axis], plane)) continue;
+      const Vec3 point = real(a) + static_cast<double>(plane - a[axis]) / (b[axis] - a[axis]) *
+                                       (real(b) - real(a));
+      for (int k = 0; k < 3; ++k) {
+        const double x = std::clamp<double>(point[k], box_.lo[k], box_.hi[k]);
+        bounds.lo[k] = std::min(bounds.lo[k], static_cast<std::int32_t>(std::floor(x)));
+        bounds.hi[k] = std::max(bounds.hi[k], static_cast<std::int32_t>(std::ceil(x)));
+      }
+    }
+  }
+  return bounds;
 }
 
 // Of the parts just counted on a face.

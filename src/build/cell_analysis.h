@@ -3,6 +3,7 @@
 // connectedness by counting, with the predicates of geometry/).
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <span>
@@ -13,6 +14,14 @@
 #include "grid/grid_data.h"
 
 namespace kdm {
+
+/// Makes the box hold another one.
+inline void widen(LatticeBox& bounds, const LatticeBox& by) {
+  for (int i = 0; i < 3; ++i) {
+    bounds.lo[i] = std::min(bounds.lo[i], by.lo[i]);
+    bounds.hi[i] = std::max(bounds.hi[i], by.hi[i]);
+  }
+}
 
 /// A crossing on one of the cell's edges.
 struct CellCrossing {
@@ -42,7 +51,8 @@ struct Piece {
 /// rim to rim.
 struct ClosedCurve {
   int axis;           ///< normal to the face
-  LatticeBox bounds;  ///< of all triangles on the face
+  LatticeBox bounds;  ///< of the curve; of all triangles on the face where it is none by itself
+  Index piece;        ///< that the curve is of, or one of those
 };
 
 class CellAnalysis {
@@ -83,6 +93,8 @@ class CellAnalysis {
   bool part_is_near(Index triangle);
   bool members_cross(Index i, Index j) const;
   bool part_ends_in_two_rims();
+  ClosedCurve closed_curve(int axis, bool high);
+  LatticeBox section_bounds(Index part, int axis, std::int32_t plane);
 
   const Surface& surface_;
   LatticeBox box_;
@@ -96,6 +108,7 @@ class CellAnalysis {
   std::vector<Index> cell_rims_;
   std::vector<Index> subset_;
   std::vector<Index> parent_;
+  std::vector<char> ended_;   // per member that leads a part of a section: has an end
   std::vector<Index> visit_;  // per triangle: the last search that came by
   Index visits_ = 0;
   std::vector<Index> stack_;
