@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Faces of a mesh that cross or touch where they share nothing.
+// Faces of a mesh that cross or touch where they share nothing. Triangles over the same three
+// vertices meet the same others: one of each set is looked at and stands for all of them.
+#include <algorithm>
 #include <new>
 
 #include "geometry/triangle_triangle.h"
@@ -8,56 +10,96 @@
 #include "mesh/box_tree.h"
 #include "mesh/check_indices.h"
 #include "mesh/polygons.h"
+#include "mesh/same_corners.h"
 #include "mesh/scale.h"
 
 namespace kdm {
 namespace {
 
-struct Corners {
-  Triangle numbers;
-  Index face;
-};
+using Corners = std::array<Vec3, 3>;
 
-std::vector<Corners> triangles_of(const Mesh& mesh) {
-  std::vector<Corners> triangles;
-  triangles.reserve(mesh.triangles.size() + 2 * mesh.quads.size());
-  Polygons(mesh).for_each_triangle([&](Index face, const Triangle& t) {
-    triangles.push_back({t, face});
-  });
-  return triangles;
-}
+class Search {
+ public:
+  explicit Search(const Mesh& mesh)
+      : faces_(mesh), positions_(scale_to_one(mesh.positions).positions) {
+    triangles_.reserve(mesh.triangles.size() + 2 * mesh.quads.size());
+    faces_.for_each_triangle([&](Index, const Triangle& t) { triangles_.push_back(t); });
+    find_sets(static_cast<Index>(mesh.positions.size()));
+    for (std::size_t i = mesh.triangles.size(); i < triangles_.size(); i += 2) {
+      quads_.push_back(ordered(set_of_[i], set_of_[i + 1]));
+    }
+    std::sort(quads_.begin(), quads_.end());
+  }
+
+  SelfIntersections run() {
+    crossing_.assign(first_.size(), 0);
+    std::vector<Box> boxes;
+    boxes.reserve(first_.size());
+    for (Index set = 0; set < first_.size(); ++set) {
+      const auto [a, b, c] = corners(set);
+      boxes.push_back({a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)});
+      if (size_[set] > 1) look_at(set, set);
+    }
+    BoxTree(boxes).for_each_pair([&](Index i, Index j) { look_at(i, j); });
+
+    std::size_t triangle = 0;
+    for (Index face = 0; face < faces_.size(); ++face) {
+      bool found = false;
+      for (Index rest = faces_.corners(face) - 2; rest > 0; --rest) {
+        found = crossing_[set_of_[triangle++]] != 0 || found;
+      }
+      if (found) result_.faces.push_back(face);
+    }
+    return std::move(result_);
+  }
+
+ private:
+  static Edge ordered(Index a, Index b) { return {std::min(a, b), std::max(a, b)}; }
+
+  void find_sets(Index points) {
+    set_of_.resize(triangles_.size());
+    for_each_corner_set(triangles_, points, [&](std::span<const SortedCorners> set) {
+      for (const SortedCorners& t : set) set_of_[t.triangle] = static_cast<Index>(first_.size());
+      first_.push_back(set[0].triangle);
+      size_.push_back(static_cast<Index>(set.size()));
+    });
+  }
+
+  const Triangle& numbers(Index set) const { return triangles_[first_[set]]; }
+  Corners corners(Index set) const {
+    const Triangle& n = numbers(set);
+    return {positions_[n[0]], positions_[n[1]], positions_[n[2]]};
+  }
+
+  // All pairs of one triangle of each set; or of two of the same one. The two halves of a quad do
+  // not count.
+  void look_at(Index i, Index j) {
+    if (!TriangleCrossing<RealKernel>::test(corners(i), numbers(i), corners(j), numbers(j))) return;
+    const std::uint64_t n = size_[i];
+    const auto halves = std::equal_range(quads_.begin(), quads_.end(), ordered(i, j));
+    const std::uint64_t pairs = (i == j ? n * (n - 1) / 2 : n * size_[j]) -
+                                static_cast<std::uint64_t>(halves.second - halves.first);
+    if (pairs == 0) return;
+    result_.pairs += pairs;
+    crossing_[i] = crossing_[j] = 1;
+  }
+
+  Polygons faces_;
+  std::vector<Vec3> positions_;
+  std::vector<Triangle> triangles_;
+  std::vector<Index> set_of_;  // of each triangle
+  std::vector<Index> first_;   // of each set
+  std::vector<Index> size_;
+  std::vector<Edge> quads_;  // the sets of their halves, ascending
+  std::vector<char> crossing_;
+  SelfIntersections result_;
+};
 
 }  // namespace
 
 SelfIntersections find_self_intersections(const Mesh& mesh) try {
   check_indices(mesh);
-  const std::vector<Corners> triangles = triangles_of(mesh);
-  const std::vector<Vec3> positions = scale_to_one(mesh.positions).positions;
-  const auto corners = [&](Index t) {
-    const Triangle& n = triangles[t].numbers;
-    return std::array<Vec3, 3>{positions[n[0]], positions[n[1]], positions[n[2]]};
-  };
-  std::vector<Box> boxes;
-  boxes.reserve(triangles.size());
-  for (Index t = 0; t < triangles.size(); ++t) {
-    const auto [a, b, c] = corners(t);
-    boxes.push_back({a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)});
-  }
-  SelfIntersections result;
-  std::vector<char> crossing(mesh.triangles.size() + mesh.quads.size(), 0);
-  BoxTree(boxes).for_each_pair([&](Index i, Index j) {
-    if (triangles[i].face == triangles[j].face) return;
-    if (!TriangleCrossing<RealKernel>::test(corners(i), triangles[i].numbers, corners(j),
-                                            triangles[j].numbers)) {
-      return;
-    }
-    ++result.pairs;
-    crossing[triangles[i].face] = crossing[triangles[j].face] = 1;
-  });
-  for (Index face = 0; face < crossing.size(); ++face) {
-    if (crossing[face] != 0) result.faces.push_back(face);
-  }
-  return result;
+  return Search(mesh).run();
 } catch (const std::bad_alloc&) {
   throw Error(ErrorCode::kOutOfMemory, "there is not enough memory to look for crossings");
 }

@@ -2,9 +2,12 @@
 // Crossings of a mesh's faces: known counts, and all pairs by brute force.
 #include <gtest/gtest.h>
 
+#include <numeric>
+
 #include "geometry/triangle_triangle.h"
 #include "kdmanifold/error.h"
 #include "kdmanifold/mesh.h"
+#include "support/random.h"
 #include "support/random_meshes.h"
 #include "support/shapes.h"
 
@@ -12,20 +15,29 @@ namespace kdm {
 namespace {
 
 SelfIntersections by_brute_force(const Mesh& mesh) {
+  std::vector<Triangle> triangles = mesh.triangles;
+  std::vector<Index> face_of(triangles.size());
+  std::iota(face_of.begin(), face_of.end(), Index{0});
+  for (Index i = 0; i < mesh.quads.size(); ++i) {
+    const Quad& q = mesh.quads[i];
+    triangles.push_back({q[0], q[1], q[2]});
+    triangles.push_back({q[0], q[2], q[3]});
+    face_of.insert(face_of.end(), 2, static_cast<Index>(mesh.triangles.size()) + i);
+  }
   const auto corners = [&](Index t) {
-    const Triangle& n = mesh.triangles[t];
+    const Triangle& n = triangles[t];
     return std::array<Vec3, 3>{mesh.positions[n[0]], mesh.positions[n[1]], mesh.positions[n[2]]};
   };
   SelfIntersections found;
-  std::vector<char> part(mesh.triangles.size(), 0);
-  for (Index i = 0; i < mesh.triangles.size(); ++i) {
+  std::vector<char> part(mesh.triangles.size() + mesh.quads.size(), 0);
+  for (Index i = 0; i < triangles.size(); ++i) {
     for (Index j = 0; j < i; ++j) {
-      if (!TriangleCrossing<RealKernel>::test(corners(i), mesh.triangles[i], corners(j),
-                                              mesh.triangles[j])) {
+      if (face_of[i] == face_of[j]) continue;
+      if (!TriangleCrossing<RealKernel>::test(corners(i), triangles[i], corners(j), triangles[j])) {
         continue;
       }
       ++found.pairs;
-      part[i] = part[j] = 1;
+      part[face_of[i]] = part[face_of[j]] = 1;
     }
   }
   for (Index i = 0; i < part.size(); ++i) {
@@ -85,6 +97,40 @@ TEST(SelfIntersections, QuadsCountAsTwoTriangles) {
   const SelfIntersections found = find_self_intersections(mesh);
   EXPECT_EQ(found.faces, (std::vector<Index>{0, 1}));
   EXPECT_GE(found.pairs, 1u);
+}
+
+TEST(SelfIntersections, CopiesCountEach) {
+  for (std::uint32_t seed = 0; seed < 10; ++seed) {
+    Mesh mesh = shapes::random_tetrahedra(6, seed);
+    check::Random random(seed);
+    const auto below = [&](std::size_t limit) {
+      return static_cast<Index>(random.below(static_cast<std::uint32_t>(limit)));
+    };
+    for (int i = 0; i < 12; ++i) {
+      const Triangle t = mesh.triangles[below(mesh.triangles.size())];
+      mesh.triangles.push_back(i % 2 == 0 ? Triangle{t[1], t[2], t[0]}
+                                          : Triangle{t[0], t[2], t[1]});
+    }
+    // Also quads that are folded, or whose halves are the same triangle.
+    for (int i = 0; i < 8; ++i) {
+      const Triangle& t = mesh.triangles[below(mesh.triangles.size())];
+      mesh.quads.push_back({t[0], t[1], t[2], below(mesh.positions.size())});
+      mesh.quads.push_back(i % 2 == 0 ? mesh.quads.back() : Quad{t[0], t[1], t[2], t[1]});
+    }
+    const SelfIntersections expected = by_brute_force(mesh);
+    const SelfIntersections found = find_self_intersections(mesh);
+    ASSERT_EQ(found.pairs, expected.pairs);
+    ASSERT_EQ(found.faces, expected.faces);
+  }
+}
+
+TEST(SelfIntersections, AHundredThousandCopiesAreNoWork) {
+  constexpr Index kCopies = 100'000;
+  Mesh mesh = shapes::cube();
+  mesh.triangles.assign(kCopies, mesh.triangles[0]);
+  const SelfIntersections found = find_self_intersections(mesh);
+  EXPECT_EQ(found.pairs, std::uint64_t{kCopies} * (kCopies - 1) / 2);
+  EXPECT_EQ(found.faces.size(), kCopies);
 }
 
 TEST(SelfIntersections, FacesWithoutAreaTakeNoPart) {

@@ -322,7 +322,7 @@ export interface SelfIntersections {
 export interface AnalyzeOptions {
   /**
    * Look for self-intersections too (default false): takes several times as long as all the rest, and far
-   * longer where many faces lie on each other.
+   * longer where many faces overlap that are no copies of each other.
    */
   selfIntersections?: boolean;
 }

@@ -64,7 +64,7 @@ struct MeshDefects {
 
 struct AnalyzeOptions {
   /// Look for self-intersections too: takes several times as long as all the rest, and far longer
-  /// where many faces lie on each other.
+  /// where many faces overlap that are no copies of each other.
   bool self_intersections = false;
 };
 

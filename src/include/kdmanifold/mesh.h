@@ -61,8 +61,8 @@ struct SelfIntersections {
 };
 
 /// Finds them exactly, for the coordinates as they are. Faces without area take no part. n log n
-/// in the faces unless many overlap. Throws `kInvalidMesh` if a face names a vertex that does not
-/// exist.
+/// in the faces unless many overlap; of those over the same vertices, only one is looked at. Throws
+/// `kInvalidMesh` if a face names a vertex that does not exist.
 SelfIntersections find_self_intersections(const Mesh& mesh);
 
 }  // namespace kdm
