@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// What is wrong with an input, kind by kind, and where to paint it. Runs in the worker.
-import type { MeshDefects, MeshInput } from 'kdmanifold';
+// What is wrong with an input, kind by kind, and what is new in a result; where to paint it.
+import type { Mesh, MeshDefects, MeshInput } from 'kdmanifold';
 
 /** The kinds of defects that the page tells apart, in the order in which it names them. */
-export const kinds = [
+export const defectKinds = [
   'open',
   'crowded',
   'pinched',
@@ -13,12 +13,15 @@ export const kinds = [
   'degenerate',
   'crossing',
 ] as const;
-export type Kind = (typeof kinds)[number];
+export type DefectKind = (typeof defectKinds)[number];
 
-/** One kind of defect, found at least once. */
-export interface Finding {
-  kind: Kind;
-  /** Edges, vertices or faces at fault. */
+/** `invented`: faces of a result that are of no input face. */
+export type Kind = DefectKind | 'invented';
+
+/** One kind of thing, found at least once. */
+export interface Finding<K extends Kind = Kind> {
+  kind: K;
+  /** Edges, vertices or faces. */
   count: number;
   shape: 'lines' | 'faces' | 'points';
   /** Ends of lines, corners of triangles, or points: three numbers each. */
@@ -47,13 +50,13 @@ export function summaryOf({ parts, boundaryLoops, balanced }: MeshDefects): Summ
 }
 
 /** All kinds but the crossings. */
-export function findingsOf(mesh: MeshInput, defects: MeshDefects): Finding[] {
+export function findingsOf(mesh: MeshInput, defects: MeshDefects): Finding<DefectKind>[] {
   const { nonManifoldEdges, nonManifoldVertices } = defects;
   // Where edges have too many faces, so have their ends: no need to say it twice.
   const ends = new Set(nonManifoldEdges);
   const pinched = nonManifoldVertices.filter((vertex) => !ends.has(vertex));
   const degenerate = [...defects.degenerateFaces, ...defects.zeroAreaFaces];
-  const list: Finding[] = [
+  const list: Finding<DefectKind>[] = [
     lines('open', mesh, defects.boundaryEdges),
     lines('crowded', mesh, nonManifoldEdges),
     { kind: 'pinched', count: pinched.length, shape: 'points', positions: gather(mesh, pinched) },
@@ -70,15 +73,26 @@ export function findingsOf(mesh: MeshInput, defects: MeshDefects): Finding[] {
 }
 
 /** The kind that takes longest to find. */
-export function crossingsOf(mesh: MeshInput, crossing: Uint32Array): Finding[] {
+export function crossingsOf(mesh: MeshInput, crossing: Uint32Array): Finding<DefectKind>[] {
   return crossing.length === 0 ? [] : [faces('crossing', mesh, crossing)];
 }
 
-function lines(kind: Kind, mesh: MeshInput, ends: ArrayLike<number>): Finding {
+/** Faces of a result that close holes of its input; of quads there are none. */
+export function inventedOf(mesh: Mesh): Finding[] {
+  const invented: number[] = [];
+  for (let t = 0; t < mesh.indices.length / 3; ++t) {
+    if (mesh.sourceFaces[t] === noFace) invented.push(t);
+  }
+  return invented.length === 0 ? [] : [faces('invented', mesh, invented)];
+}
+
+const noFace = 0xffffffff;
+
+function lines<K extends Kind>(kind: K, mesh: MeshInput, ends: ArrayLike<number>): Finding<K> {
   return { kind, count: ends.length / 2, shape: 'lines', positions: gather(mesh, ends) };
 }
 
-function faces(kind: Kind, mesh: MeshInput, list: ArrayLike<number>): Finding {
+function faces<K extends Kind>(kind: K, mesh: MeshInput, list: ArrayLike<number>): Finding<K> {
   const corners = cornersOf(mesh, list);
   return { kind, count: list.length, shape: 'faces', positions: gather(mesh, corners) };
 }

@@ -2,7 +2,14 @@
 // The worker that reads a file and looks for what is wrong with it, so that the page stays awake.
 import { formatFromPath, load, type MeshInput } from 'kdmanifold';
 import { describeError } from './describe-error';
-import { crossingsOf, findingsOf, summaryOf, type Finding, type Summary } from './findings';
+import {
+  crossingsOf,
+  findingsOf,
+  summaryOf,
+  type DefectKind,
+  type Finding,
+  type Summary,
+} from './findings';
 
 /** To the worker: a file, or a mesh that the page has made itself. */
 export type Source = { name: string; file: File } | { name: string; mesh: MeshInput };
@@ -10,8 +17,8 @@ export type Source = { name: string; file: File } | { name: string; mesh: MeshIn
 /** From the worker, in this order, the mesh only of a file; after `failed` nothing more comes. */
 export type Reply =
   | { type: 'mesh'; mesh: MeshInput }
-  | { type: 'defects'; findings: Finding[]; summary: Summary }
-  | { type: 'crossings'; findings: Finding[]; pairs: number }
+  | { type: 'defects'; findings: Finding<DefectKind>[]; summary: Summary }
+  | { type: 'crossings'; findings: Finding<DefectKind>[]; pairs: number }
   | { type: 'failed'; message: string };
 
 // TypeScript has the types of a page or of a worker, never both.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The legend of what is painted on the input; its entries switch it on and off.
+// The legend of what is painted on input and result; its entries switch it on and off.
 import { element } from './element';
 import type { Finding, Kind } from './findings';
 
@@ -13,6 +13,7 @@ export const paints: Record<Kind, { name: string; colour: string }> = {
   doubled: { name: 'Doubled faces', colour: '#12a150' },
   degenerate: { name: 'Faces without area', colour: '#00b3a4' },
   crossing: { name: 'Crossing faces', colour: '#f5b400' },
+  invented: { name: 'New faces that close holes', colour: '#77b300' },
 };
 
 const number = new Intl.NumberFormat('en');

@@ -3,7 +3,7 @@
 import { load, makeManifold, type Mesh, type MeshFormat, type MeshInput } from 'kdmanifold';
 import { describeError } from './describe-error';
 import { element } from './element';
-import type { Finding, Summary } from './findings';
+import { inventedOf, type DefectKind, type Finding, type Summary } from './findings';
 import type { Reply, Source } from './inspect.worker';
 import { Inspector } from './inspector';
 import { showLegend } from './legend';
@@ -20,13 +20,15 @@ import {
   tell,
 } from './panel';
 import { Stage } from './scene';
+import type { Side } from './sides';
 import { storyOf } from './story';
 
 // Changes of a slider come in bursts.
 const settleMilliseconds = 250;
 
 let input: { name: string; mesh: MeshInput } | null = null;
-let findings: Finding[] = [];
+let findings: Finding<DefectKind>[] = [];
+let invented: Finding[] = [];
 let summary: Summary | null = null;
 let result: Mesh | null = null;
 let running: AbortController | null = null;
@@ -54,13 +56,24 @@ async function convert(): Promise<void> {
     });
     if (running !== mine) return;
     result = conversion.mesh;
-    stage.show('output', result);
+    present(result, inventedOf(result));
     showResult(conversion);
   } catch (error) {
     if (running !== mine) return;
-    stage.show('output', null);
+    present(null, []);
     showError(describeError(error));
   }
+}
+
+function present(mesh: Mesh | null, painted: Finding[]): void {
+  invented = painted;
+  stage.show('output', mesh);
+  stage.paint('output', invented);
+  updateLegend();
+}
+
+function updateLegend(): void {
+  showLegend([...findings, ...invented], (kind, visible) => stage.showPaint(kind, visible));
 }
 
 // No format says which way is up; these are mostly scans and models for pictures, the others parts.
@@ -75,9 +88,8 @@ function begin(source: Source): void {
   input = null;
   summary = null;
   findings = [];
-  showLegend([], () => {});
   stage.show('input', null);
-  stage.show('output', null);
+  present(null, []);
   showInput(source.name);
   showBusy();
   if ('mesh' in source) take(source.name, source.mesh);
@@ -118,8 +130,8 @@ function hear(name: string, reply: Reply): void {
   }
   if (reply.type === 'defects') summary = reply.summary;
   findings.push(...reply.findings);
-  stage.paint(reply.findings);
-  showLegend(findings, (kind, visible) => stage.showPaint(kind, visible));
+  stage.paint('input', reply.findings);
+  updateLegend();
   if (summary !== null) tell(storyOf(summary, findings, reply.type === 'crossings'));
 }
 
@@ -182,7 +194,9 @@ function connect(): void {
     void convert();
   });
   element('cut').addEventListener('input', updateCut);
-  element('reset-view').addEventListener('click', () => stage.resetView());
+  for (const button of document.querySelectorAll<HTMLElement>('[data-side]')) {
+    button.addEventListener('click', () => stage.lookFrom(button.dataset.side as Side));
+  }
   element('cancel').addEventListener('click', stop);
   for (const format of ['obj', 'stl', 'ply'] as const) {
     element(`save-${format}`).addEventListener('click', () => void save(format));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Defects as things to be drawn over the input: thick lines, tinted faces, points. What lies behind
+// Findings as things to be drawn over a mesh: thick lines, tinted faces, points. What lies behind
 // the model shows through it faintly, since holes tend to be on the other side.
 import {
   BufferGeometry,
@@ -18,7 +18,7 @@ import {
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
-import { kinds, type Finding, type Kind } from './findings';
+import { defectKinds, type Finding, type Kind } from './findings';
 import { paints } from './legend';
 
 const lineWidth = 2.5;
@@ -27,7 +27,7 @@ const pointSize = 8;
 const manyLines = 5000;
 const throughOpacity = 0.22;
 
-/** One kind of defect, painted. */
+/** One kind of finding, painted. */
 export interface Paint {
   kind: Kind;
   objects: Object3D[];
@@ -73,9 +73,9 @@ function makePoints(kind: Kind, positions: Float32Array, near: Look, through: Lo
 
 function makeFaces(kind: Kind, positions: Float32Array, near: Look): Paint {
   const geometry = geometryOf(positions);
-  // In front of the input's own faces, which are pushed back by 1, each kind behind the one before
+  // In front of the mesh's own faces, which are pushed back by 1, each kind behind the one before
   // it: faces that lie on each other cross as well, and many more faces cross than do else.
-  const offset = kinds.indexOf(kind) / 10;
+  const offset = kind === 'invented' ? 0 : defectKinds.indexOf(kind) / 10;
   const material = new MeshStandardMaterial({
     ...near,
     flatShading: true,

@@ -27,6 +27,7 @@ import { CreaseFinder } from './crease-finder';
 import type { Finding, Kind } from './findings';
 import { turnByKey } from './keyboard';
 import { paint, type Paint } from './overlay';
+import { sides, type Side } from './sides';
 
 interface View {
   element: HTMLElement;
@@ -34,7 +35,7 @@ interface View {
   /** Holds what is drawn, turned so that up is up. */
   root: Group;
   drawn: Drawn[];
-  /** Defects painted over what is drawn. */
+  /** Findings painted over what is drawn. */
   paints: Paint[];
 }
 
@@ -56,8 +57,8 @@ export class Stage {
   readonly #controls: OrbitControls;
   readonly #views: { input: View; output: View };
   readonly #light = new DirectionalLight(0xffffff, 2.2);
-  // Faces beyond the plane are not drawn; the inside of the model shows its back faces' colour.
-  readonly #cut = new Plane(new Vector3(-1, 0, 0), 1);
+  // Faces in front of the plane are not drawn; the inside of the model shows its back faces' colour.
+  readonly #cut = new Plane(new Vector3(0, 1, 0), 1);
   readonly #host: HTMLElement;
   readonly #lines: Lines = { wireframe: false, creases: true };
   readonly #creases = new CreaseFinder();
@@ -89,7 +90,7 @@ export class Stage {
     });
     new ResizeObserver(() => this.draw()).observe(host);
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.#recolour());
-    this.resetView();
+    this.lookFrom('corner');
   }
 
   /** Shows a mesh, or nothing; input decides where the camera looks. */
@@ -113,9 +114,9 @@ export class Stage {
     this.#recolour();
   }
 
-  /** Paints defects over the input, in addition to those that are there. */
-  paint(findings: Finding[]): void {
-    const { paints, root } = this.#views.input;
+  /** Paints findings over a mesh, in addition to those that are there. */
+  paint(which: 'input' | 'output', findings: Finding[]): void {
+    const { paints, root } = this.#views[which];
     for (const finding of findings) {
       const made = paint(finding, this.#cut);
       paints.push(made);
@@ -124,11 +125,13 @@ export class Stage {
     this.draw();
   }
 
-  /** Shows or hides one kind of defect. */
+  /** Shows or hides one kind of finding. */
   showPaint(kind: Kind, visible: boolean): void {
-    for (const made of this.#views.input.paints) {
-      if (made.kind !== kind) continue;
-      for (const object of made.objects) object.visible = visible;
+    for (const { paints } of Object.values(this.#views)) {
+      for (const made of paints) {
+        if (made.kind !== kind) continue;
+        for (const object of made.objects) object.visible = visible;
+      }
     }
     this.draw();
   }
@@ -148,15 +151,15 @@ export class Stage {
     this.#lookAgain();
   }
 
-  /** Cuts away a share (0 to 1) of the model from one side. */
+  /** Cuts away a share (0 to 1) of the model from the front. */
   setCut(share: number): void {
-    this.#cut.constant = this.#centre.x + this.#sphere.radius * (1.001 - 2 * share);
+    this.#cut.constant = this.#sphere.radius * (1.001 - 2 * share) - this.#centre.y;
     this.draw();
   }
 
-  /** Turns back to where the camera was at first. */
-  resetView(): void {
-    const away = new Vector3(-0.9, -1.5, 0.95).normalize();
+  /** Looks at all of the model from one side. */
+  lookFrom(side: Side): void {
+    const away = sides[side].clone().normalize();
     const distance = (this.#sphere.radius * 1.12) / Math.sin((this.#camera.fov * Math.PI) / 360);
     this.#camera.position.copy(this.#centre).addScaledVector(away, distance);
     this.#camera.near = distance / 100;
@@ -225,7 +228,7 @@ export class Stage {
   #lookAgain(): void {
     const { root } = this.#views.input;
     this.#centre = this.#sphere.center.clone().applyEuler(root.rotation);
-    this.resetView();
+    this.lookFrom('corner');
   }
 
   #applyLines(): void {

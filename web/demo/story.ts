@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The verdict in words: what was wrong with the input, and what has become of it.
 import type { Report } from 'kdmanifold';
-import type { Finding, Kind, Summary } from './findings';
+import type { DefectKind, Finding, Summary } from './findings';
 
 const number = new Intl.NumberFormat('en');
 const percent = new Intl.NumberFormat('en', { style: 'percent', maximumSignificantDigits: 2 });
@@ -12,7 +12,7 @@ export function count(n: number, one: string, many = `${one}s`): string {
   return `${number.format(n)} ${n === 1 ? one : many}`;
 }
 
-const words: Record<Kind, (n: number, summary: Summary) => string> = {
+const words: Record<DefectKind, (n: number, summary: Summary) => string> = {
   open: (n, { holes }) =>
     holes > 0
       ? `it is open (${count(n, 'edge')} round ${count(holes, 'hole')})`
@@ -27,7 +27,11 @@ const words: Record<Kind, (n: number, summary: Summary) => string> = {
 };
 
 /** One or two sentences; `crossingsKnown`: has the search for them come to its end? */
-export function storyOf(summary: Summary, findings: Finding[], crossingsKnown: boolean): string {
+export function storyOf(
+  summary: Summary,
+  findings: Finding<DefectKind>[],
+  crossingsKnown: boolean,
+): string {
   const known = new Map(findings.map((finding) => [finding.kind, finding.count]));
   // Where faces are turned it goes without saying that their neighbours disagree.
   if (known.has('flipped')) known.delete('disagreeing');

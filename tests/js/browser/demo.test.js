@@ -128,6 +128,7 @@ test('defects are told in words, counted and painted, each kind to be switched o
     'Doubled faces (1)',
     'Faces without area (1)',
     'Crossing faces (2)',
+    expect.stringMatching(/^New faces that close holes \(\d+\)$/),
   ]);
   await page.screenshot({ path: join(screenshots, 'defects.png') });
   const picture = async () => {
@@ -140,6 +141,18 @@ test('defects are told in words, counted and painted, each kind to be switched o
     expect(await differentPixels(page, await picture(), painted)).toBeGreaterThan(few);
     await switchOf(kind).check();
   }
+  expect(await differentPixels(page, await picture(), painted)).toBeLessThan(few);
+});
+
+test('what closes holes is painted on the result', async () => {
+  const picture = async () => {
+    await page.waitForTimeout(300);
+    return page.locator('#output-view').screenshot();
+  };
+  const painted = await picture();
+  await switchOf('invented').uncheck();
+  expect(await differentPixels(page, await picture(), painted)).toBeGreaterThan(few);
+  await switchOf('invented').check();
   expect(await differentPixels(page, await picture(), painted)).toBeLessThan(few);
 });
 
@@ -161,11 +174,21 @@ test('a clean model has nothing painted on it', async () => {
 });
 
 test('a new model does not wait for the inspection of the one before', async () => {
-  // Ten thousand triangles on each other, in a corner: fifty million pairs to be looked at.
+  // Twelve thousand triangles that all cross, in a corner: seventy million pairs to be looked at.
   const { positions, indices } = cube();
-  const corner = [1, 1, 1, 1.01, 1, 1, 1, 1.01, 1];
-  const copies = Array.from({ length: 10_000 }, () => [8, 9, 10]).flat();
-  const slow = { positions: [...positions, ...corner], indices: [...indices, ...copies] };
+  const corners = Array.from({ length: 12_000 }, (_, i) => [
+    1,
+    1,
+    1 + i * 1e-7,
+    1.01,
+    1,
+    1,
+    1,
+    1.01,
+    1,
+  ]);
+  const numbers = Array.from({ length: 36_000 }, (_, i) => 8 + i);
+  const slow = { positions: [...positions, ...corners.flat()], indices: [...indices, ...numbers] };
   await page.locator('#file').setInputFiles(file('slow.ply', together(slow)));
   await page.waitForFunction(() => /crossings…/.test(document.querySelector('#story').innerText));
   await choose('ring.stl', torus());
@@ -227,6 +250,23 @@ test('up may be another axis', async () => {
   await page.selectOption('#up', 'z');
   expect(await differentPixels(page, await picture(), before)).toBeGreaterThan(few);
   await page.selectOption('#up', 'y');
+  expect(await differentPixels(page, await picture(), before)).toBeLessThan(few);
+});
+
+test('the view goes to a side and comes back', async () => {
+  const picture = async () => {
+    await page.waitForTimeout(300);
+    return page.locator('#input-view').screenshot();
+  };
+  const before = await picture();
+  const seen = [before];
+  for (const side of ['front', 'right', 'back', 'left', 'above', 'below']) {
+    await page.locator(`[data-side="${side}"]`).click();
+    const shot = await picture();
+    expect(await differentPixels(page, shot, seen.at(-1))).toBeGreaterThan(few);
+    seen.push(shot);
+  }
+  await page.locator('#reset-view').click();
   expect(await differentPixels(page, await picture(), before)).toBeLessThan(few);
 });
 
