@@ -1,6 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Wires the page together: where models come from, when to inspect and convert, where results go.
 import { load, makeManifold, type Mesh, type MeshFormat, type MeshInput } from 'kdmanifold';
+import {
+  changeUnit,
+  chooseMake,
+  explainControls,
+  learnOfGaps,
+  measure,
+  readLines,
+  readOptions,
+  type Make,
+} from './controls';
 import { describeError } from './describe-error';
 import { element } from './element';
 import { inventedOf, type DefectKind, type Finding, type Summary } from './findings';
@@ -8,17 +18,7 @@ import type { Reply, Source } from './inspect.worker';
 import { Inspector } from './inspector';
 import { showLegend } from './legend';
 import { samples } from './models';
-import {
-  explainSize,
-  readLines,
-  readOptions,
-  showBusy,
-  showError,
-  showInput,
-  showProgress,
-  showResult,
-  tell,
-} from './panel';
+import { showBusy, showError, showInput, showProgress, showResult, tell } from './panel';
 import { Stage } from './scene';
 import type { Side } from './sides';
 import { storyOf } from './story';
@@ -49,15 +49,18 @@ async function convert(): Promise<void> {
   result = null;
   showBusy();
   try {
+    const options = readOptions();
     const conversion = await makeManifold(input.mesh, {
-      ...readOptions(),
+      ...options,
       onProgress: showProgress,
       signal: mine.signal,
     });
     if (running !== mine) return;
     result = conversion.mesh;
     present(result, inventedOf(result));
-    showResult(conversion);
+    showResult(conversion, options.thicken);
+    learnOfGaps(conversion.report);
+    explainControls();
   } catch (error) {
     if (running !== mine) return;
     present(null, []);
@@ -101,6 +104,8 @@ function begin(source: Source): void {
 function take(name: string, mesh: MeshInput): void {
   input = { name, mesh };
   showInput(name, (mesh.indices ?? mesh.positions).length / (mesh.indices ? 3 : 9));
+  measure(mesh.positions);
+  explainControls();
   const up = upOf(name);
   element<HTMLSelectElement>('up').value = up;
   stage.setUp(up);
@@ -151,7 +156,7 @@ async function save(format: MeshFormat): Promise<void> {
 }
 
 function convertSoon(): void {
-  explainSize();
+  explainControls();
   clearTimeout(settling);
   settling = window.setTimeout(() => void convert(), settleMilliseconds);
 }
@@ -177,10 +182,16 @@ function connect(): void {
   });
   element('panel').addEventListener('submit', (event) => event.preventDefault());
 
-  for (const id of ['depth', 'tolerance']) element(id).addEventListener('input', convertSoon);
-  for (const id of ['strategy', 'inside', 'pairing', 'quads']) {
+  for (const id of ['depth', 'tolerance', 'thickness', 'gaps']) {
+    element(id).addEventListener('input', convertSoon);
+  }
+  for (const id of ['make', 'parts', 'strategy', 'inside', 'pairing', 'quads']) {
     element(id).addEventListener('change', convertSoon);
   }
+  element('thickness-unit').addEventListener('change', () => {
+    changeUnit();
+    explainControls();
+  });
   for (const id of ['wireframe', 'creases']) {
     element(id).addEventListener('change', () => stage.setLines(readLines()));
   }
@@ -189,8 +200,16 @@ function connect(): void {
     stage.setUp(up.value as 'y' | 'z');
     updateCut();
   });
-  element('keep-open').addEventListener('click', () => {
-    element<HTMLSelectElement>('inside').value = 'sheet';
+  for (const button of document.querySelectorAll<HTMLElement>('[data-make]')) {
+    button.addEventListener('click', () => {
+      chooseMake(button.dataset.make as Make);
+      explainControls();
+      void convert();
+    });
+  }
+  element('repair').addEventListener('click', () => {
+    element<HTMLSelectElement>('inside').value = 'repair';
+    explainControls();
     void convert();
   });
   element('cut').addEventListener('input', updateCut);
@@ -218,5 +237,5 @@ function connect(): void {
 }
 
 connect();
-explainSize();
+explainControls();
 takeSample();

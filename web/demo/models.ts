@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The sample models: made here, so they are nobody else's and cost no download. All are closed;
-// most consist of shells that overlap, which is what a modeller produces and a slicer refuses.
+// The sample models: made here, so they are nobody else's and cost no download. One is damaged in
+// all ways; most consist of shells that overlap, which is what a modeller produces and a slicer
+// refuses.
 import {
   BoxGeometry,
   ExtrudeGeometry,
@@ -13,6 +14,7 @@ import {
 } from 'three';
 import type { MeshInput } from 'kdmanifold';
 import { fromBufferGeometry } from 'kdmanifold/three';
+import { damage } from './damage';
 
 /** A sample by its name in the menu. */
 export interface Sample {
@@ -21,6 +23,7 @@ export interface Sample {
 }
 
 export const samples: Sample[] = [
+  { name: 'Damaged knot', make: () => damage(torusKnot()) },
   { name: 'Bracket (five overlapping parts)', make: bracket },
   { name: 'Gear with a shaft', make: gear },
   { name: 'Torus knot', make: torusKnot },

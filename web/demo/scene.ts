@@ -160,7 +160,11 @@ export class Stage {
   /** Looks at all of the model from one side. */
   lookFrom(side: Side): void {
     const away = sides[side].clone().normalize();
-    const distance = (this.#sphere.radius * 1.12) / Math.sin((this.#camera.fov * Math.PI) / 360);
+    // The narrower of the two angles of view counts.
+    const { clientWidth, clientHeight } = this.#views.input.element;
+    const aspect = Math.min(1, clientWidth / Math.max(clientHeight, 1)) || 1;
+    const angle = Math.atan(aspect * Math.tan((this.#camera.fov * Math.PI) / 360));
+    const distance = (this.#sphere.radius * 1.06) / Math.sin(angle);
     this.#camera.position.copy(this.#centre).addScaledVector(away, distance);
     this.#camera.near = distance / 100;
     this.#camera.far = distance * 20;

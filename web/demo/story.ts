@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The verdict in words: what was wrong with the input, and what has become of it.
-import type { Report } from 'kdmanifold';
+import type { OutputReport, Report } from 'kdmanifold';
 import type { DefectKind, Finding, Summary } from './findings';
 
 const number = new Intl.NumberFormat('en');
+const decimal = new Intl.NumberFormat('en', { maximumSignificantDigits: 3 });
 const percent = new Intl.NumberFormat('en', { style: 'percent', maximumSignificantDigits: 2 });
 const list = new Intl.ListFormat('en');
 
@@ -47,9 +48,30 @@ export function storyOf(
   ].join('');
 }
 
-/** What the conversion did about it; empty if nothing. */
-export function remedyOf({ input, grid, output }: Report): string {
+/** The result in a few words. */
+export function verdictOf(output: OutputReport): string {
+  const { components, boundaryLoops, eulerCharacteristic } = output;
+  const words = [
+    output.closed ? 'Closed' : 'Open',
+    output.manifold ? '2-manifold' : 'not 2-manifold',
+  ];
+  if (!output.closed) words.push(count(boundaryLoops, 'rim'));
+  words.push(count(components, 'part'));
+  // Euler's formula holds for manifolds only.
+  const tunnels = components - (eulerCharacteristic + boundaryLoops) / 2;
+  if (output.manifold && tunnels > 0) words.push(count(tunnels, 'tunnel'));
+  return words.join(' · ');
+}
+
+/** Is so much of it new that the input may not be meant as a solid? */
+export function isMostlyNew({ output }: Report): boolean {
+  return output.inventedArea > 0.4 * output.area;
+}
+
+/** What the conversion did about it; empty if nothing. `thickness`: of a shell, in model units. */
+export function remedyOf({ input, grid, output }: Report, thickness: number): string {
   const done: string[] = [];
+  if (thickness > 0) done.push(`a shell ${decimal.format(thickness)} thick built around it`);
   if (input.flipped) done.push('all of it turned over');
   if (input.sewnEdges > 0) done.push(`${count(input.sewnEdges, 'pair')} of edges sewn together`);
   if (input.turnedFaces > 0) done.push(`${count(input.turnedFaces, 'face')} turned`);
@@ -63,6 +85,7 @@ export function remedyOf({ input, grid, output }: Report): string {
   left(input.duplicateFaces, 'copy of a face', 'copies of faces');
   left(input.cancelledFaces, 'face back to back', 'faces back to back');
   left(input.degenerateFaces, 'face without area', 'faces without area');
+  left(output.droppedParts, 'part');
   left(output.droppedCrumbs, 'sliver beside closed holes', 'slivers beside closed holes');
   return done.length === 0 ? '' : `Done about it: ${list.format(done)}.`;
 }

@@ -67,21 +67,35 @@ const fact = async (table, name) => {
   return row.locator('td').innerText();
 };
 
-test('starts with a sample already converted', async () => {
+test('starts with a damaged sample already repaired', async () => {
   await settled();
-  expect(await text('#verdict')).toMatch(
-    /^Closed · 2-manifold · 1 part · Euler characteristic -?\d+$/,
-  );
-  expect(await text('#input-name')).toMatch(/Bracket.*900 triangles/);
+  await inspected();
+  expect(await text('#verdict')).toBe('Closed · 2-manifold · 1 part · 1 tunnel');
+  expect(await text('#input-name')).toMatch(/^Damaged knot, [\d,]+ triangles$/);
   expect(await text('#output-name')).toMatch(/[\d,]+ triangles/);
+  expect(await text('#story')).toMatch(
+    /^The input has 1 part; it is open .* turned the wrong way, [\d,]+ faces are doubled/,
+  );
+  expect(await text('#remedy')).toMatch(
+    /^Done about it: [\d,]+ faces turned, holes and gaps closed, .* copies of faces left out/,
+  );
+  await page.waitForTimeout(300);
+  await page.screenshot({ path: join(screenshots, 'start.png') });
+});
+
+test('a sample may be chosen; numbers tell of it', async () => {
+  for (const details of ['.numbers', '#more']) await page.locator(`${details} summary`).click();
+  await busyThenSettled(() => page.locator('#sample').selectOption({ index: 1 }));
+  await inspected();
+  expect(await text('#verdict')).toMatch(/^Closed · 2-manifold · 1 part · \d+ tunnels$/);
+  expect(await text('#input-name')).toMatch(/Bracket.*900 triangles/);
   expect(await fact('input-facts', 'Parts')).toBe('5');
   expect(await fact('output-facts', '2-manifold')).toBe('yes');
   expect(await fact('grid-facts', 'Build')).toMatch(/^[\d.]+ s$/);
-  await inspected();
   expect(await text('#story')).toMatch(
     /^The input has 5 parts and is closed; \d+ faces cross each other\.$/,
   );
-  await page.screenshot({ path: join(screenshots, 'start.png') });
+  expect(await page.locator('#gaps').isVisible()).toBe(false);
 });
 
 test('both views show something, and not the same', async () => {
@@ -94,7 +108,7 @@ test('both views show something, and not the same', async () => {
 
 test('a chosen file is converted', async () => {
   await choose('ring.stl', torus());
-  expect(await text('#verdict')).toBe('Closed · 2-manifold · 1 part · Euler characteristic 0');
+  expect(await text('#verdict')).toBe('Closed · 2-manifold · 1 part · 1 tunnel');
   expect(await text('#input-name')).toBe('ring.stl, 1,024 triangles');
 });
 
@@ -204,7 +218,7 @@ test('a dropped file is converted', async () => {
     return data;
   }, content);
   await busyThenSettled(() => page.dispatchEvent('#stage', 'drop', { dataTransfer: transfer }));
-  expect(await text('#verdict')).toBe('Closed · 2-manifold · 1 part · Euler characteristic 2');
+  expect(await text('#verdict')).toBe('Closed · 2-manifold · 1 part');
   expect(await text('#input-name')).toBe('two cubes.obj, 24 triangles');
   await page.screenshot({ path: join(screenshots, 'dropped.png') });
 });
@@ -298,7 +312,7 @@ test('an open mesh becomes a solid', async () => {
   const { positions, indices } = cube();
   await choose('open.ply', { positions, indices: indices.slice(3) });
   await inspected();
-  expect(await text('#verdict')).toBe('Closed · 2-manifold · 1 part · Euler characteristic 2');
+  expect(await text('#verdict')).toBe('Closed · 2-manifold · 1 part');
   expect(await text('#story')).toBe('The input has 1 part; it is open (3 edges round 1 hole).');
   expect(await text('#remedy')).toMatch(
     /^Done about it: holes and gaps closed, which invented [\d.]+% of the area\.$/,
@@ -306,22 +320,79 @@ test('an open mesh becomes a solid', async () => {
   await page.screenshot({ path: join(screenshots, 'open.png') });
 });
 
-test('what encloses nothing: the error is text on the page, and there is a way on', async () => {
-  const { positions, indices } = cube();
-  await choose('square.ply', { positions, indices: indices.slice(0, 6) });
+test('gaps can be closed more or less, where there are any', async () => {
+  expect(await page.locator('#gaps').isVisible()).toBe(true);
+  const area = async () => /invented ([\d.]+)%/.exec(await text('#remedy'))[1];
+  const before = await area();
+  await busyThenSettled(() => page.locator('#gaps').fill('80'));
+  expect(await text('#gaps-value')).toBe('80 %');
+  expect(await area()).not.toBe(before);
+  await busyThenSettled(() => page.locator('#gaps').fill('50'));
+  expect(await area()).toBe(before);
+  await choose('cube.off', cube());
+  expect(await page.locator('#gaps').isVisible()).toBe(false);
+});
+
+test('parts can be left out', async () => {
+  const inner = cube(0.5);
+  const hollow = { ...inner, indices: inner.indices.slice().reverse() };
+  await choose('parts.obj', together(cube(1), hollow, cube(0.5, [3, 0, 0])));
+  expect(await text('#verdict')).toMatch(/3 parts$/);
+  await busyThenSettled(() => page.selectOption('#parts', 'outer'));
+  expect(await text('#verdict')).toMatch(/2 parts$/);
+  expect(await text('#remedy')).toBe('Done about it: 1 part left out.');
+  await busyThenSettled(() => page.selectOption('#parts', 'largest'));
+  expect(await text('#verdict')).toMatch(/1 part$/);
+  await busyThenSettled(() => page.selectOption('#parts', 'all'));
+});
+
+const square = () => ({ ...cube(), indices: cube().indices.slice(0, 6) });
+
+test('what encloses nothing: the error is text on the page, and there are ways on', async () => {
+  await choose('square.ply', square());
   expect(await text('#error-text')).toMatch(/^NOT_CLOSED: .*encloses nothing/);
   expect(await text('#verdict')).toBe('No result.');
   expect(await page.locator('#save-obj').isDisabled()).toBe(true);
   await page.screenshot({ path: join(screenshots, 'error.png') });
   await busyThenSettled(() => page.locator('#keep-open').click());
   expect(await page.locator('#error').isVisible()).toBe(false);
-  expect(await text('#verdict')).toBe(
-    'Open · 2-manifold with 1 boundary loop · 1 part · Euler characteristic 1',
-  );
-  expect(await page.inputValue('#inside')).toBe('sheet');
+  expect(await text('#verdict')).toBe('Open · 2-manifold · 1 rim · 1 part');
+  expect(await page.inputValue('#make')).toBe('sheet');
+  expect(await page.locator('#parts').isVisible()).toBe(false);
   expect(await page.locator('#save-obj').isDisabled()).toBe(false);
-  await page.locator('summary').click();
-  await busyThenSettled(() => page.selectOption('#inside', 'repair'));
+  await busyThenSettled(() => page.selectOption('#make', 'solid'));
+  expect(await page.locator('#error').isVisible()).toBe(true);
+});
+
+test('a thickness makes a shell of it, in per cent or in units', async () => {
+  await busyThenSettled(() => page.getByRole('button', { name: 'Give it a thickness' }).click());
+  expect(await page.inputValue('#make')).toBe('shell');
+  expect(await text('#verdict')).toBe('Closed · 2-manifold · 1 part');
+  // Of a square with sides of 2.
+  expect(await text('#thickness-hint')).toBe("0.0283 in the model's units.");
+  expect(await text('#remedy')).toMatch(/^Done about it: a shell 0\.0283 thick built around it/);
+  await page.screenshot({ path: join(screenshots, 'shell.png') });
+  await page.selectOption('#thickness-unit', 'units');
+  expect(await page.inputValue('#thickness')).toBe('0.02828');
+  await busyThenSettled(() => page.locator('#thickness').fill('0.2'));
+  expect(await text('#thickness-hint')).toBe("7.07 % of the model's diagonal.");
+  expect(await text('#remedy')).toMatch(/a shell 0\.2 thick/);
+  await busyThenSettled(() => page.locator('#thickness').fill('0'));
+  expect(await text('#error-text')).toBe('The thickness must be a number above 0.');
+  expect(await page.locator('#ways').isVisible()).toBe(false);
+  await page.locator('#thickness').fill('1');
+  await page.selectOption('#thickness-unit', 'percent');
+  await busyThenSettled(() => page.selectOption('#make', 'solid'));
+});
+
+test('by a rule for closed surfaces an open one is refused, and can be repaired', async () => {
+  const { positions, indices } = cube();
+  await busyThenSettled(() => page.selectOption('#inside', 'odd'));
+  await choose('open.ply', { positions, indices: indices.slice(3) });
+  expect(await text('#error-text')).toMatch(/^NOT_CLOSED: /);
+  await busyThenSettled(() => page.locator('#repair').click());
+  expect(await page.inputValue('#inside')).toBe('repair');
+  expect(await text('#verdict')).toBe('Closed · 2-manifold · 1 part');
 });
 
 test('a file that is no mesh, and a file of an unknown type', async () => {
