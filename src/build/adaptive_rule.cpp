@@ -69,6 +69,7 @@ class AdaptiveRule : public SplitRule {
             std::clamp(kLeastWidth * floor_, 1.0, static_cast<double>(kLatticeSize)))),
         depth_(depth),
         placing_(placing),
+        open_(std::count(surface.topology.twin.begin(), surface.topology.twin.end(), kNone) > 0),
         features_(surface),
         parts_(surface) {}
 
@@ -113,8 +114,7 @@ class AdaptiveRule : public SplitRule {
   // would be cut to its end before the next.
   bool find_small_parts(const CellView& cell) {
     between_parts_.reset();
-    if (placing_ == SplitPlacing::kInTurn || surface_.has_rims() ||
-        !parts_.all_small(cell.entries)) {
+    if (placing_ == SplitPlacing::kInTurn || open_ || !parts_.all_small(cell.entries)) {
       return false;
     }
     between_parts_ = parts_.propose(cell.entries);
@@ -349,7 +349,7 @@ class AdaptiveRule : public SplitRule {
     });
     if (all_internal) return std::nullopt;
     const bool disks = analysis_.pieces_are_disks();
-    if (disks || !surface_.has_rims()) {
+    if (disks || !open_) {
       if (const std::optional<ClosedCurve> curve = analysis_.find_closed_curve()) {
         if (const std::optional<LatticeBox> part = part_to_open(*curve, disks)) return part;
       }
@@ -410,7 +410,7 @@ class AdaptiveRule : public SplitRule {
     for (const Piece& piece : pieces) {
       if (piece.crossings == 0 || piece.rims > 1) return piece.bounds;
     }
-    if (surface_.has_rims()) return box;
+    if (open_) return box;
     LatticeBox bounds = pieces.front().bounds;
     for (const Piece& piece : pieces) widen(bounds, piece.bounds);
     return bounds;
@@ -423,6 +423,7 @@ class AdaptiveRule : public SplitRule {
   std::int32_t least_;
   int depth_;
   SplitPlacing placing_;
+  bool open_;  // the surface has a rim
   FeatureFinder features_;
   PartCuts parts_;
   std::optional<Split> between_parts_;  // a cut between small parts, if there is one

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The controls: what they say, and which of them count.
-import type { BuildOptions, ExtractOptions, Report } from 'kdmanifold';
+import type { BuildOptions, ExtractOptions, MeshInput, Report } from 'kdmanifold';
 import { element } from './element';
 import type { Lines } from './scene';
 
@@ -56,11 +56,13 @@ export function chooseMake(make: Make): void {
 }
 
 /** A new input: percentages are of its size, and whether it has gaps is not known. */
-export function measure(positions: ArrayLike<number>): void {
+export function measure({ positions, indices }: MeshInput): void {
   const low = [Infinity, Infinity, Infinity];
   const high = [-Infinity, -Infinity, -Infinity];
-  for (let i = 0; i < positions.length; ++i) {
-    const [axis, value] = [i % 3, positions[i] as number];
+  const corners = indices?.length ?? positions.length / 3;
+  for (let i = 0; i < 3 * corners; ++i) {
+    const [corner, axis] = [Math.floor(i / 3), i % 3];
+    const value = positions[3 * (indices?.[corner] ?? corner) + axis] as number;
     if (value < (low[axis] as number)) low[axis] = value;
     if (value > (high[axis] as number)) high[axis] = value;
   }

@@ -104,7 +104,7 @@ function begin(source: Source): void {
 function take(name: string, mesh: MeshInput): void {
   input = { name, mesh };
   showInput(name, (mesh.indices ?? mesh.positions).length / (mesh.indices ? 3 : 9));
-  measure(mesh.positions);
+  measure(mesh);
   explainControls();
   const up = upOf(name);
   element<HTMLSelectElement>('up').value = up;

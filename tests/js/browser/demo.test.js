@@ -407,7 +407,7 @@ test('after errors every sample still works', async () => {
   expect(count).toBeGreaterThanOrEqual(4);
   for (let i = 0; i < count; ++i) {
     await busyThenSettled(async () => {
-      await page.locator('#sample').selectOption({ index: (i + 1) % count });
+      await page.locator('#sample').selectOption({ index: i });
     });
     expect(await page.locator('#error').isVisible()).toBe(false);
     expect(await text('#verdict')).toMatch(/^Closed · 2-manifold/);
