@@ -41,6 +41,16 @@ void check_options(const BuildOptions& options) {
   }
 }
 
+// A shell whose sides round to the same places has no inside.
+void check_thickness(double thickness, double step) {
+  constexpr double kLeast = 4;
+  if (thickness == 0 || thickness >= kLeast * step) return;
+  throw Error(ErrorCode::kInvalidOption,
+              fmt::format("thicken is {}; for a model of this size it must be {} at least, a "
+                          "millionth of its extent",
+                          thickness, kLeast * step));
+}
+
 int depth_limit(const BuildOptions& options) {
   constexpr int kUniformDepth = 18;
   if (options.depth != 0) return options.depth;
@@ -60,6 +70,7 @@ Grid build_grid(const Mesh& mesh, const BuildOptions& options, const Progress& p
   report(progress, 0.0, "prepare");
   Surface surface = options.thicken > 0 ? prepare_surface(thicken(mesh, options.thicken), options)
                                         : prepare_surface(mesh, options);
+  check_thickness(options.thicken, surface.lattice.step);
   auto grid = std::make_unique<GridData>();
   grid->sheet = surface.sheet;
   grid->lattice = surface.lattice;

@@ -38,6 +38,9 @@ struct Candidate {
   }
 };
 
+// Edges of more sides keep the pairs they have: all with all would not end on coincident faces.
+constexpr std::ptrdiff_t kMostSides = 64;
+
 void pair_edge(std::span<const Side> edge, std::span<const Triangle> triangles,
                const std::vector<Vec3>& points, std::vector<Index>& twin) {
   std::vector<Candidate> candidates;
@@ -76,7 +79,7 @@ void pair_straightest(std::span<const Triangle> triangles, const std::vector<Vec
   for (auto first = sides.begin(); first != sides.end();) {
     auto last = first;
     while (last != sides.end() && last->same_edge(*first)) ++last;
-    if (last - first > 2) {
+    if (last - first > 2 && last - first <= kMostSides) {
       pair_edge({&*first, static_cast<std::size_t>(last - first)}, triangles, points,
                 topology.twin);
     }

@@ -231,6 +231,25 @@ TEST(Repair, WhatEnclosesNothingIsSaidTo) {
   }
 }
 
+// Slivers along a line are hit by grid edges here and there.
+TEST(Repair, WhatComesToNothingIsRefused) {
+  Random random(4);
+  Mesh mesh;
+  for (Index i = 0; i < 100; ++i) {
+    for (int k = 0; k < 3; ++k) {
+      const double x = random.unit();
+      mesh.positions.emplace_back(x, 2 * x, 3 * x);
+    }
+    mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  try {
+    extract(build_grid(mesh));
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kNotClosed);
+  }
+}
+
 TEST(Repair, TheThresholdIsAnOption) {
   const Mesh half = shapes::open(shapes::icosphere(3), 640);
   double last = 0;

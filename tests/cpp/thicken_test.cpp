@@ -256,6 +256,7 @@ TEST(Thicken, RefusesWhatMakesNoShell) {
     expect_refused(flat(1), thickness, ErrorCode::kInvalidOption, "thickness");
   }
   EXPECT_THROW(build_grid(flat(1), {.thicken = -1}), Error);
+  EXPECT_THROW(build_grid(flat(1), {.thicken = 1e-9}), Error) << "thinner than the lattice";
   expect_refused(Mesh(), 1, ErrorCode::kInvalidMesh, "no face");
   Mesh mesh;
   mesh.positions = {Vec3(0, 0, 0), Vec3(1, 1, 1), Vec3(2, 2, 2)};

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "mesh/boundary_loops.h"
+#include "mesh/crowded_edges.h"
 #include "support/random.h"
 #include "support/shapes.h"
 
@@ -172,6 +173,20 @@ TEST(Topology, RandomTrianglesAreCountedRight) {
     ASSERT_EQ(topology.twin.size() - static_cast<std::size_t>(open), paired)
         << "as many sides are paired as can be";
   }
+}
+
+// Sides of one edge are compared each with each: not where these are thousands.
+TEST(Topology, CrowdsAtOneEdgeKeepTheirPairs) {
+  std::vector<Vec3> points{Vec3(0, 0, 0), Vec3(0, 0, 1)};
+  std::vector<Triangle> triangles;
+  for (Index i = 0; i < 40000; ++i) {
+    points.emplace_back(1, i, 0);
+    triangles.push_back(i % 2 == 0 ? Triangle{0, 1, i + 2} : Triangle{1, 0, i + 2});
+  }
+  Topology topology = build_topology(triangles, static_cast<Index>(points.size()));
+  const std::vector<Index> before = topology.twin;
+  pair_straightest(triangles, points, topology);
+  EXPECT_EQ(topology.twin, before);
 }
 
 }  // namespace
