@@ -86,8 +86,8 @@ struct ExtractedMesh : Mesh {
 };
 
 /// The surface of the grid: closed, oriented outwards, 2-manifold. Of a sheet: a 2-manifold with
-/// boundary, turned as the input is. Linear in the hits. Throws `kNotClosed` if nothing comes out of
-/// an input that had to be repaired, `kInvalidOption`, `kAborted`.
+/// boundary, turned as the input is. Linear in the hits. Throws `kNotClosed` if nothing comes out
+/// of an input that had to be repaired, `kInvalidOption`, `kAborted`.
 ExtractedMesh extract(const Grid& grid, const ExtractOptions& options = {},
                       const Progress& progress = {});
 
