@@ -144,7 +144,7 @@ void turn_outwards(InputFaces& faces) {
 void check_holes(const std::vector<BoundaryLoop>& holes, const InputFaces& faces, double largest) {
   Index too_wide = 0;
   double widest = 0;
-  Vec3 place;
+  Vec3 place = Vec3::Zero();
   for (const BoundaryLoop& hole : holes) {
     const auto corner = [&](Index side) {
       return faces.points[faces.triangles[side / 3][side % 3]];

@@ -278,7 +278,7 @@ ExtractedMesh extract(const Grid& handle, const ExtractOptions& options,
     if (kept.dropped + kept.crumbs > 0 && out.report.crossings.value_or(0) > 0) {
       out.report.crossings = find_self_intersections(out).pairs;  // some went with the parts
     }
-    if (out.triangles.empty() && out.quads.empty() && !grid.input.closed) {
+    if (out.triangles.empty() && out.quads.empty() && !grid.hits.empty() && !grid.input.closed) {
       throw Error(ErrorCode::kNotClosed,
                   "the surface encloses nothing that is wider than the tolerance; thicken it, or "
                   "take it as a sheet");

@@ -122,28 +122,25 @@ TEST(PartCuts, ABoxTakesItsTwelveTriangles) {
   }
 }
 
-TEST(PartCuts, AFenceTakesFewTrianglesAPart) {
-  constexpr int kPosts = 40;
-  const Grid grid = build_grid(fence(kPosts), {.tolerance = 0.2});
+// As many parts, each a topological sphere, of no more triangles than that on average.
+void expect_spheres(const Grid& grid, int parts, std::size_t most_triangles) {
   EXPECT_TRUE(grid.stats().topology_resolved);
   const ExtractedMesh out = extract(grid);
   const check::MeshCheck result = check::check_mesh(out);
   EXPECT_TRUE(result.two_manifold) << result.faults();
-  EXPECT_EQ(result.components, kPosts + 2);
-  EXPECT_EQ(result.euler_characteristic, 2 * (kPosts + 2));
-  EXPECT_LE(out.triangles.size(), 14u * (kPosts + 2));
+  EXPECT_EQ(result.components, parts);
+  EXPECT_EQ(result.euler_characteristic, 2 * parts);
+  EXPECT_LE(out.triangles.size(), most_triangles * parts);
+}
+
+TEST(PartCuts, AFenceTakesFewTrianglesAPart) {
+  constexpr int kPosts = 40;
+  expect_spheres(build_grid(fence(kPosts), {.tolerance = 0.2}), kPosts + 2, 14);
 }
 
 TEST(PartCuts, LeaningPolesComeOutWhole) {
   constexpr int kPoles = 6;
-  const Grid grid = build_grid(poles(kPoles), {.tolerance = 0.1});
-  EXPECT_TRUE(grid.stats().topology_resolved);
-  const ExtractedMesh out = extract(grid);
-  const check::MeshCheck result = check::check_mesh(out);
-  EXPECT_TRUE(result.two_manifold) << result.faults();
-  EXPECT_EQ(result.components, kPoles);
-  EXPECT_EQ(result.euler_characteristic, 2 * kPoles);
-  EXPECT_LE(out.triangles.size(), 460u * kPoles);
+  expect_spheres(build_grid(poles(kPoles), {.tolerance = 0.1}), kPoles, 460);
 }
 
 // Where shells cross curves may stay closed at any size: the search for their middle ends.
