@@ -67,12 +67,12 @@ for (const target of targets) {
   rows.push({
     target,
     seconds,
-    executions: number(/number_of_executed_units: (\d+)/g),
+    executions: number(/number_of_executed_units:\s+(\d+)/g),
     edges: number(/cov: (\d+)/g),
     features: number(/ft: (\d+)/g),
     inputs: number(/corp: (\d+)/g),
-    slowest: `${number(/slowest_unit_time_sec: (\d+)/g)} s`,
-    'peak memory': `${number(/peak_rss_mb: (\d+)/g)} MB`,
+    slowest: `${number(/slowest_unit_time_sec:\s+(\d+)/g)} s`,
+    'peak memory': `${number(/peak_rss_mb:\s+(\d+)/g)} MB`,
     verdict: status === 0 ? 'ok' : 'FAILS',
   });
   if (status !== 0) {
