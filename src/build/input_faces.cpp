@@ -11,6 +11,7 @@
 #include "mesh/cancel.h"
 #include "mesh/check_positions.h"
 #include "mesh/crowded_edges.h"
+#include "mesh/measure.h"
 #include "mesh/orient.h"
 #include "mesh/sew.h"
 #include "mesh/weld.h"
@@ -66,12 +67,9 @@ void weld(const Mesh& mesh, InputFaces& faces) {
 }
 
 Box bounds_of(const std::vector<Triangle>& triangles, const std::vector<Vec3>& points) {
-  Box bounds{points[triangles[0][0]], points[triangles[0][0]]};
+  Box bounds;
   for (const Triangle& t : triangles) {
-    for (const Index corner : t) {
-      bounds.min = bounds.min.cwiseMin(points[corner]);
-      bounds.max = bounds.max.cwiseMax(points[corner]);
-    }
+    for (const Index corner : t) grow(bounds, points[corner]);
   }
   return bounds;
 }
@@ -149,11 +147,8 @@ void check_holes(const std::vector<BoundaryLoop>& holes, const InputFaces& faces
     const auto corner = [&](Index side) {
       return faces.points[faces.triangles[side / 3][side % 3]];
     };
-    Box bounds{corner(hole.vertices[0]), corner(hole.vertices[0])};
-    for (const Index side : hole.vertices) {
-      bounds.min = bounds.min.cwiseMin(corner(side));
-      bounds.max = bounds.max.cwiseMax(corner(side));
-    }
+    Box bounds;
+    for (const Index side : hole.vertices) grow(bounds, corner(side));
     const double width = (bounds.max - bounds.min).norm();
     too_wide += width > largest ? 1 : 0;
     if (width <= widest) continue;
