@@ -2,18 +2,24 @@
 // `npm test`: sets up, checks format, lint and types, builds and runs all tests, cheapest first, and
 // ends with the counts. `npm test -- PART...` runs some parts only.
 import { spawn } from 'node:child_process';
-import { mkdirSync, readFileSync, rmSync } from 'node:fs';
+import { existsSync, mkdirSync, readFileSync, rmSync } from 'node:fs';
 import { builders, cmake } from './build.mjs';
 import { jobs, root, setup, tryRun } from './run.mjs';
 
 const counts = { passed: 0, failed: 0 };
+const failures = []; // what they were, told again at the end
+
+function fail(what) {
+  ++counts.failed;
+  failures.push(what);
+  console.error(`FAILED: ${what}`);
+}
 
 // A check without tests of its own counts as one.
 function check(title, command, args, options) {
   console.log(`\n== ${title}`);
-  const passed = tryRun(command, args, options).status === 0;
-  ++counts[passed ? 'passed' : 'failed'];
-  if (!passed) console.error(`FAILED: ${title}`);
+  if (tryRun(command, args, options).status === 0) ++counts.passed;
+  else fail(title);
 }
 
 // GoogleTest, more shares of the tests than processors, so that none of these waits for the slowest;
@@ -33,14 +39,14 @@ async function googleTest(title, program) {
       child.on('exit', resolve);
       child.on('error', resolve);
     });
-    try {
-      const { tests, failures } = JSON.parse(readFileSync(report, 'utf8'));
-      counts.passed += tests - failures;
-      counts.failed += failures;
-      if (status !== 0 && failures === 0) ++counts.failed;
-    } catch {
-      ++counts.failed; // it crashed before it could report
-    }
+    const share = `${title}, share ${shard} of ${shards}`;
+    if (!existsSync(report)) return fail(`${share}: crashed (${status})`);
+    const suites = JSON.parse(readFileSync(report, 'utf8')).testsuites;
+    const tests = suites.flatMap(({ testsuite }) => testsuite);
+    const failed = tests.filter((test) => test.failures);
+    counts.passed += tests.length - failed.length;
+    for (const { classname, name } of failed) fail(`${title}: ${classname}.${name}`);
+    if (status !== 0 && failed.length === 0) fail(`${share}: exit code ${status}`);
   };
   const left = Array.from({ length: shards }, (_, shard) => shard);
   const work = async () => {
@@ -53,6 +59,7 @@ function jest(title, args) {
   console.log(`\n== ${title}`);
   mkdirSync(`${root}/build`, { recursive: true });
   const report = `${root}/build/jest.json`;
+  rmSync(report, { force: true });
   const { status } = tryRun(
     process.execPath,
     [
@@ -65,14 +72,13 @@ function jest(title, args) {
     ],
     { stdio: ['ignore', 'ignore', 'inherit'] },
   );
-  try {
-    const { numPassedTests, numFailedTests } = JSON.parse(readFileSync(report, 'utf8'));
-    counts.passed += numPassedTests;
-    counts.failed += numFailedTests;
-    if (status !== 0 && numFailedTests === 0) ++counts.failed;
-  } catch {
-    ++counts.failed;
-  }
+  if (!existsSync(report)) return fail(`${title}: crashed (${status})`);
+  const { numPassedTests, testResults } = JSON.parse(readFileSync(report, 'utf8'));
+  counts.passed += numPassedTests;
+  const tests = testResults.flatMap(({ assertionResults }) => assertionResults);
+  const failed = tests.filter((test) => test.status === 'failed');
+  for (const { fullName } of failed) fail(`${title}: ${fullName}`);
+  if (status !== 0 && failed.length === 0) fail(`${title}: exit code ${status}`);
 }
 
 const parts = {
@@ -135,5 +141,6 @@ for (const part of wanted) {
   }
   await parts[part]();
 }
+for (const what of failures) console.log(`FAILED: ${what}`);
 console.log(`\n${counts.passed} passed, ${counts.failed} failed`);
 process.exit(counts.failed === 0 && counts.passed > 0 ? 0 : 1);

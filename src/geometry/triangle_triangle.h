@@ -104,6 +104,7 @@ class TriangleCrossing {
       }
     }
     if (shared == 3) return has_area(a) && has_area(b);
+    if (shared == 2 && in_b[0] == in_b[1]) return false;  // a has one vertex twice
     if (shared == 2 && Kernel::surely_unfolded(a[in_a[0]], a[in_a[1]], a[3 - in_a[0] - in_a[1]],
                                                b[3 - in_b[0] - in_b[1]])) {
       return false;
