@@ -108,6 +108,7 @@ inline val from_grid_stats(const GridStats& stats) {
   to.set("sheet", stats.sheet);
   to.set("bytes", stats.bytes);
   to.set("tolerance", stats.tolerance);
+  to.set("windingThreshold", stats.winding_threshold);
   to.set("topologyResolved", stats.topology_resolved);
   to.set("unresolvedLeaves", stats.unresolved_leaves);
   to.set("ambiguousFaces", stats.ambiguous_faces);

@@ -34,9 +34,9 @@ void check_options(const BuildOptions& options) {
   check("relative_tolerance", options.relative_tolerance);
   check("thicken", options.thicken);
   check("largest_hole", options.largest_hole);
-  if (!(options.winding_threshold > 0 && options.winding_threshold < 1)) {
+  if (!(options.winding_threshold >= 0 && options.winding_threshold < 1)) {
     throw Error(ErrorCode::kInvalidOption,
-                fmt::format("winding_threshold is {}; it must be between 0 and 1",
+                fmt::format("winding_threshold is {}; it must be at least 0 and below 1",
                             options.winding_threshold));
   }
 }

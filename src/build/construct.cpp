@@ -78,6 +78,7 @@ class Construction {
     if (splits_left_ == 0) return done_;
     rule_->report(grid_.stats);
     if (repair_ != nullptr) {
+      grid_.stats.winding_threshold = repair_->threshold();
       repair_->resolve(grid_);
     } else {
       drop_internal_crossings();

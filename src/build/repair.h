@@ -15,7 +15,7 @@ namespace kdm {
 /// surface ends, its winding numbers go on; hits there are invented.
 class Repair {
  public:
-  /// `tolerance` in lattice units.
+  /// `threshold` as WindingField takes it, `tolerance` in lattice units.
   Repair(Surface& surface, double threshold, double tolerance);
 
   /// Is the grid vertex inside? Those on the root's sides are not.
@@ -27,6 +27,9 @@ class Repair {
                  std::vector<WalkedCrossing>& walked) {
     resolver_.resolve(segment, crossings, false, walked);
   }
+
+  /// Winding numbers above it are inside.
+  double threshold() const { return field_.threshold(); }
 
   /// What was asked of the field so far, see WindingField.
   std::size_t work() const { return field_.work(); }

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 
+#include "build/winding_threshold.h"
 #include "geometry/predicates.h"
 #include "geometry/solid_angle.h"
 
@@ -60,6 +61,7 @@ WindingField::WindingField(std::span<const LatticeTriangle> triangles, double th
   for (Index i = 0; i < order_.size(); ++i) order_[i] = i;
   nodes_.reserve(triangles.size() / 2 + 1);
   if (!order_.empty()) build(0, static_cast<Index>(order_.size()), centroids);
+  if (threshold_ == 0) threshold_ = choose_winding_threshold(*this, triangles);
 }
 
 Index WindingField::build(Index begin, Index end, std::vector<Vec3>& centroids) {
@@ -190,6 +192,15 @@ bool WindingField::decide(const Vec3& p, const AddTriangle& add_triangle) const 
     if (std::abs(value.winding - threshold_) > value.error) break;
   }
   return value.winding > threshold_;
+}
+
+double WindingField::winding(const Vec3& p) const {
+  return evaluate(p, kLevels - 1,
+                  [&](const LatticeTriangle& t, AngleSum& sum) {
+                    const HalfSolidAngle angle = angle_of(t, p);
+                    sum.add(angle.re, angle.im);
+                  })
+      .winding;
 }
 
 bool WindingField::inside(const Vec3& p) const {

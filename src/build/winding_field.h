@@ -14,8 +14,14 @@ namespace kdm {
 /// 0 outside and 1 inside of a closed surface; at a hole it passes smoothly from one to the other.
 class WindingField {
  public:
-  /// Winding numbers above `threshold` are inside. The triangles must live on.
+  /// Winding numbers above `threshold` are inside; 0 stands for one that suits the triangles, see
+  /// build/winding_threshold.h. These must live on.
   WindingField(std::span<const LatticeTriangle> triangles, double threshold);
+
+  double threshold() const { return threshold_; }
+
+  /// By the finer sum.
+  double winding(const Vec3& p) const;
 
   /// By as rough a sum as is sure enough; within about 0.01 of the threshold by the finer one, sure
   /// or not. No more is needed: near a surface that is there, winding numbers are one half away.

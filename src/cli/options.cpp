@@ -135,8 +135,10 @@ std::vector<ValueOption> build_options(Command& command) {
       whole_number("--depth", 1, 60, command.build.depth, "limit of the tree's depth"),
       choice("--inside", kInsideRules, command.build.inside,
              "which winding numbers are inside; sheet: none, open surfaces stay open"),
-      not_negative("--winding-threshold", "W", command.build.winding_threshold,
-                   "repair: winding numbers above this are inside, between 0 and 1 (0.5)", 1),
+      not_negative(
+          "--winding-threshold", "W", command.build.winding_threshold,
+          "repair: winding numbers above this are inside, below 1; 0: what keeps most faces (0)",
+          1),
       not_negative("--largest-hole", "W", command.build.largest_hole,
                    "repair: wider holes are refused, in model units; 0: all are closed (0)"),
       choice("--pairing", kPairings, command.build.pairing,

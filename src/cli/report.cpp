@@ -88,6 +88,7 @@ Json grid_json(const GridStats& grid) {
           {"sheet", grid.sheet},
           {"bytes", grid.bytes},
           {"tolerance", grid.tolerance},
+          {"windingThreshold", grid.winding_threshold},
           {"topologyResolved", grid.topology_resolved},
           {"unresolvedLeaves", grid.unresolved_leaves},
           {"ambiguousFaces", grid.ambiguous_faces},
@@ -240,9 +241,10 @@ std::string repair_text(const RunReport& report) {
   const double area = report.output.area;
   return fmt::format(
       "repair   {} pairs of edges sewn, {} faces turned, {} doubled ones left out; {:.1f} % of the "
-      "area closes holes, {} crumbs dropped\n",
+      "area closes holes, {} crumbs dropped\n         winding numbers above {} are inside\n",
       input.sewn_edges, input.turned_faces, input.duplicate_faces,
-      area > 0 ? 100 * report.extracted.invented_area / area : 0, report.extracted.dropped_crumbs);
+      area > 0 ? 100 * report.extracted.invented_area / area : 0, report.extracted.dropped_crumbs,
+      report.grid.winding_threshold);
 }
 
 std::string result_text(const RunReport& report, const Command& command) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The bytes of a saved grid, version 4. Numbers are little-endian; `n` is a variable-length number
+// The bytes of a saved grid, version 5. Numbers are little-endian; `n` is a variable-length number
 // of seven bits a byte (mesh/bytes.h), `f64` a double, `z` a signed number as n: 0, -1, 1, -2, ...
 // as 0, 1, 2, 3, ...
 //
@@ -8,7 +8,7 @@
 //            u64       bytes that follow the header
 //            u64       checksum of these bytes (FNV-1a, 64 bits)
 //   lattice  4 f64     origin x, y, z; step
-//            f64       tolerance
+//            2 f64     tolerance; winding threshold, 0: none
 //   reports  11 n      of the input: vertices, triangles, boundary edges, non-manifold edges,
 //                      boundary loops, degenerate, cancelled and duplicate faces, sewn edges,
 //                      turned faces, components
@@ -46,7 +46,7 @@
 namespace kdm::grid_format {
 
 inline constexpr std::string_view kMagic = "\x89kdgrid\n";
-inline constexpr std::uint32_t kVersion = 4;
+inline constexpr std::uint32_t kVersion = 5;
 inline constexpr std::size_t kHeaderBytes = 8 + 4 + 8 + 8;
 
 /// Planes are numbered by 30 bits, cells and half-edges by 31 and 32.

@@ -63,6 +63,7 @@ class GridReader {
     constexpr double kLeastStep = std::numeric_limits<double>::min();
     grid_.lattice.step = take_real(bytes_, kLeastStep, kFar, "the lattice's step");
     grid_.tolerance = take_real(bytes_, 0, std::numeric_limits<double>::max(), "the tolerance");
+    grid_.stats.winding_threshold = take_real(bytes_, 0, 1, "the winding threshold");
   }
 
   void read_reports() {

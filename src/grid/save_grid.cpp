@@ -45,6 +45,7 @@ class GridWriter {
     write_vector(grid_.lattice.origin);
     append_f64(out_, grid_.lattice.step);
     append_f64(out_, grid_.tolerance);
+    append_f64(out_, grid_.stats.winding_threshold);
   }
 
   void write_reports() {

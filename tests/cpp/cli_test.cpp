@@ -192,9 +192,10 @@ TEST_F(Cli, ReportHasTheDocumentedKeys) {
             (Names{"vertices", "triangles", "closed", "boundaryEdges", "boundaryLoops",
                    "nonManifoldEdges", "degenerateFaces", "cancelledFaces", "duplicateFaces",
                    "sewnEdges", "turnedFaces", "components", "flipped", "latticeStep"}));
-  EXPECT_EQ(keys(json["grid"]), (Names{"cells", "leaves", "hits", "depth", "sheet", "bytes",
-                                       "tolerance", "topologyResolved", "unresolvedLeaves",
-                                       "ambiguousFaces", "guessedFaces", "inventedHits"}));
+  EXPECT_EQ(keys(json["grid"]),
+            (Names{"cells", "leaves", "hits", "depth", "sheet", "bytes", "tolerance",
+                   "windingThreshold", "topologyResolved", "unresolvedLeaves", "ambiguousFaces",
+                   "guessedFaces", "inventedHits"}));
   EXPECT_EQ(keys(json["output"]), (Names{"vertices",
                                          "triangles",
                                          "quads",

@@ -28,7 +28,7 @@ constexpr std::size_t kVersionAt = 8;
 constexpr std::size_t kSizeAt = 12;
 constexpr std::size_t kChecksumAt = 20;
 constexpr std::size_t kLatticeAt = grid_format::kHeaderBytes;
-constexpr std::size_t kReportsAt = kLatticeAt + 5 * 8;
+constexpr std::size_t kReportsAt = kLatticeAt + 6 * 8;
 
 void put(Bytes& bytes, std::size_t at, std::uint64_t value, std::size_t size) {
   for (std::size_t i = 0; i < size; ++i) {
@@ -159,7 +159,7 @@ TEST(GridDamage, HeadersAreChecked) {
   };
   expect_after([](Bytes& b) { b[0] = 0x09; }, "no saved grid");
   expect_after([](Bytes& b) { b[7] = '\r'; }, "no saved grid");
-  expect_after([](Bytes& b) { put(b, kVersionAt, 1, 4); }, "version is 1; this library knows 4");
+  expect_after([](Bytes& b) { put(b, kVersionAt, 1, 4); }, "version is 1; this library knows 5");
   expect_after([](Bytes& b) { put(b, kVersionAt, 0xffffffff, 4); }, "version is 4294967295");
   expect_after([](Bytes& b) { put(b, kSizeAt, ~std::uint64_t{0}, 8); }, "bytes should follow");
   expect_after([](Bytes& b) { b[kChecksumAt] ^= 1; }, "damaged");
@@ -183,6 +183,7 @@ TEST(GridDamage, HostileNumbersAreRefused) {
   }
   for (const double bad : {-1.0, kInfinity, std::nan("")}) {
     expect_after([&](Bytes& b) { put(b, kLatticeAt + 32, bad); }, "tolerance");
+    expect_after([&](Bytes& b) { put(b, kLatticeAt + 40, bad); }, "winding threshold");
   }
   // A report's number beyond 32 bits, one without end, and one with a superfluous last byte.
   const auto insert = [](Bytes& b, std::size_t at, const Bytes& what) {

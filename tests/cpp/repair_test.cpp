@@ -259,9 +259,38 @@ TEST(Repair, TheThresholdIsAnOption) {
     EXPECT_GT(shapes::signed_volume(out), last) << threshold;
     last = shapes::signed_volume(out);
   }
-  for (const double threshold : {0.0, 1.0, -1.0, 2.0}) {
+  for (const double threshold : {1.0, -1.0, 2.0}) {
     EXPECT_THROW(build_grid(half, {.winding_threshold = threshold}), Error) << threshold;
   }
+}
+
+// A tub whose outside ends half way down: below its floor less than half of the surroundings is
+// seen from behind.
+Mesh tub() {
+  Mesh mesh = shapes::revolved(
+      {{0, -0.2}, {1, -0.2}, {1, 0.2}, {1, 0.6}, {1, 1}, {0.9, 1}, {0.9, 0}, {0, 0}}, 64);
+  std::erase_if(mesh.triangles, [&](const Triangle& t) {
+    return std::any_of(t.begin(), t.end(), [&](Index v) { return mesh.positions[v].z() < -0.1; });
+  });
+  return mesh;
+}
+
+TEST(Repair, TheThresholdKeepsWhatItCan) {
+  const auto is_near_floor = [](const Mesh& mesh) {
+    return std::any_of(mesh.positions.begin(), mesh.positions.end(), [](const Vec3& p) {
+      return std::abs(p.z()) < 0.02 && std::hypot(p.x(), p.y()) < 0.5;
+    });
+  };
+  const Grid kept = build_grid(tub(), {.relative_tolerance = 0.005});
+  EXPECT_LT(kept.stats().winding_threshold, 0.5);
+  EXPECT_TRUE(is_near_floor(extract(kept)));
+  const Grid lost = build_grid(tub(), {.relative_tolerance = 0.005, .winding_threshold = 0.4});
+  EXPECT_EQ(lost.stats().winding_threshold, 0.4);
+  EXPECT_FALSE(is_near_floor(extract(lost)));
+  EXPECT_THROW(build_grid(tub(), {.winding_threshold = 0.5}), Error);
+  // Saved with the grid; and none is asked for where all is closed.
+  EXPECT_EQ(load_grid(save_grid(kept)).stats().winding_threshold, kept.stats().winding_threshold);
+  EXPECT_EQ(build_grid(shapes::cube()).stats().winding_threshold, 0);
 }
 
 TEST(Repair, HolesTooWideToBeClosedAreRefused) {

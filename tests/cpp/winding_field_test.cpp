@@ -145,6 +145,22 @@ TEST(WindingField, GradientPointsInwardsAtAHole) {
   EXPECT_LT(gradient.dot(missing), -0.99 * gradient.norm());
 }
 
+TEST(WindingThreshold, KeepsWhatItCan) {
+  const auto chosen = [](const Mesh& mesh) {
+    return WindingField(on_lattice(mesh), 0).threshold();
+  };
+  // As it is usual wherever that keeps all, or nothing does.
+  EXPECT_EQ(chosen(shapes::cube()), 0.5);
+  EXPECT_EQ(chosen(shapes::open(shapes::cube(), 2)), 0.5);
+  EXPECT_EQ(chosen(shapes::merged({shapes::icosphere(2), shapes::icosphere(2, 0.5)})), 0.5);
+  EXPECT_EQ(WindingField({}, 0).threshold(), 0.5);
+  // Turned inwards, no side of a wall sees as much as half of its surroundings from behind.
+  const Mesh room = shapes::inverted(shapes::open(shapes::cube(), 2));
+  EXPECT_LT(chosen(room), 0.2);
+  // And what is said counts.
+  EXPECT_EQ(WindingField(on_lattice(room), 0.7).threshold(), 0.7);
+}
+
 std::array<Vec3, 3> seen_from(const Vec3& p, const LatticeTriangle& t) {
   return {real(t[0]) - p, real(t[1]) - p, real(t[2]) - p};
 }

@@ -20,6 +20,8 @@ let size = 1;
 let unit = choice('thickness-unit');
 // Does the input have gaps to be closed?
 let gaps = false;
+// Has anybody said how much of them to fill?
+let gapsAreSet = false;
 
 /** What the conversion controls say; throws if the thickness is none. */
 export function readOptions(): BuildOptions & ExtractOptions {
@@ -31,7 +33,7 @@ export function readOptions(): BuildOptions & ExtractOptions {
     quads: checked('quads'),
     ...(make === 'solid' && {
       inside: choice('inside') as BuildOptions['inside'],
-      windingThreshold: (100 - amount('gaps')) / 100,
+      windingThreshold: gapsAreSet ? (100 - amount('gaps')) / 100 : 0,
     }),
     ...(make === 'shell' && { thicken: readThickness() }),
     ...(make === 'sheet'
@@ -67,12 +69,19 @@ export function measure({ positions, indices }: MeshInput): void {
     if (value > (high[axis] as number)) high[axis] = value;
   }
   size = Math.hypot(...high.map((value, axis) => value - (low[axis] as number)));
-  gaps = false;
+  gaps = gapsAreSet = false;
 }
 
 /** Gaps that have been closed may be closed differently. */
 export function learnOfGaps({ grid }: Report): void {
   if (grid.inventedHits > 0) gaps = true;
+  if (grid.windingThreshold === 0) return;
+  element<HTMLInputElement>('gaps').value = String(Math.round(100 - 100 * grid.windingThreshold));
+}
+
+/** From now on gaps are filled as much as the control says. */
+export function setGaps(): void {
+  gapsAreSet = true;
 }
 
 /** The thickness stays what it is when its unit changes. */

@@ -9,6 +9,7 @@ import {
   measure,
   readLines,
   readOptions,
+  setGaps,
   type Make,
 } from './controls';
 import { describeError } from './describe-error';
@@ -182,6 +183,7 @@ function connect(): void {
   });
   element('panel').addEventListener('submit', (event) => event.preventDefault());
 
+  element('gaps').addEventListener('input', setGaps);
   for (const id of ['depth', 'tolerance', 'thickness', 'gaps']) {
     element(id).addEventListener('input', convertSoon);
   }

@@ -160,6 +160,7 @@ function repairLines({ input, grid, output }: NonNullable<CliReport['result']>):
     `repair   ${sewnEdges} pairs of edges sewn, ${turnedFaces} faces turned, ` +
       `${duplicateFaces} doubled ones left out; ${share.toFixed(1)} % of the area closes holes, ` +
       `${output.droppedCrumbs} crumbs dropped`,
+    `         winding numbers above ${grid.windingThreshold} are inside`,
   ];
 }
 

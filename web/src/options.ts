@@ -50,8 +50,8 @@ export const buildOptions: Table<BuildOptions> = {
     kind: 'number',
     min: 0,
     max: 1,
-    default: 0.5,
-    help: 'repair: winding numbers above this are inside, between 0 and 1',
+    default: 0,
+    help: 'repair: winding numbers above this are inside, below 1; 0: what keeps most faces',
   },
   largestHole: {
     kind: 'number',

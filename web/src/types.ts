@@ -95,8 +95,9 @@ export interface BuildOptions {
    */
   inside?: 'repair' | 'positive' | 'odd' | 'nonzero' | 'sheet';
   /**
-   * With `repair`: winding numbers above this are inside, between 0 and 1 (both excluded), default 0.5. Lower
-   * closes wider gaps, and lets what bulges over them bulge further.
+   * With `repair`: winding numbers above this are inside. Not negative, below 1; 0, the default, stands for
+   * the one up to 0.5 that keeps most of the input's area. Lower closes wider gaps, and lets what bulges
+   * over them bulge further.
    */
   windingThreshold?: number;
   /**
@@ -224,6 +225,8 @@ export interface GridStats {
    * taken beyond all measure. Of strategies that ask for none, what extraction goes by.
    */
   tolerance: number;
+  /** `repair`: winding numbers above it are inside; 0 where the surface is closed and none had to be asked for. */
+  windingThreshold: number;
   /**
    * `adaptive` and `octree`: no leaf was given up and no face was guessed; the result of an embedded
    * input then has its topology. The others do not look: false.

@@ -49,9 +49,10 @@ struct BuildOptions {
   /// 60, a safety net (18, 64 cells an axis, for uniform).
   int depth = 0;
   InsideRule inside = InsideRule::kRepair;
-  /// `kRepair`: winding numbers above this are inside, 0 to 1 (both excluded). Lower closes wider
-  /// gaps, and lets what bulges over them bulge further.
-  double winding_threshold = 0.5;
+  /// `kRepair`: winding numbers above this are inside. Not negative, below 1; 0 stands for the one
+  /// up to 0.5 that keeps most of the input's area. Lower closes wider gaps, and lets what bulges
+  /// over them bulge further.
+  double winding_threshold = 0;
   /// `kRepair`: holes wider than this (the diagonal of their bounding box, model units) are not
   /// closed but refused with `kNotClosed`. Not negative; 0 closes all.
   double largest_hole = 0;

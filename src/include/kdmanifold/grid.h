@@ -42,6 +42,9 @@ struct GridStats {
   /// In model units: what was asked for, or more where a surface to be repaired would have taken
   /// beyond all measure. Of strategies that ask for none, what extraction goes by.
   double tolerance = 0;
+  /// `kRepair`: winding numbers above it are inside; 0 where the surface is closed and none had to
+  /// be asked for.
+  double winding_threshold = 0;
   /// Adaptive, octree: no leaf was given up, every ambiguous face was traced; the output of an
   /// embedded input is then homeomorphic to it. Other strategies do not look: false.
   bool topology_resolved = false;
