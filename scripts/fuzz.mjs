@@ -5,10 +5,11 @@
 import { spawnSync } from 'node:child_process';
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { cmake } from './build.mjs';
-import { files, root, setup } from './run.mjs';
+import { files, root, run, setup } from './run.mjs';
 import { printTable } from '../tests/bench/shared.mjs';
 
-const targets = ['parsers', 'build', 'grid'];
+// With the most bytes an input has: construction takes long where many triangles cross.
+const targets = { parsers: 4096, build: 600, grid: 16384 };
 const minutes = Number(process.argv[2] ?? 20);
 if (!(minutes > 0)) {
   console.error(`fuzz: '${process.argv[2]}' is no number of minutes`);
@@ -40,22 +41,24 @@ cmake(
     'KDM_SANITIZE=ON',
     'KDM_BUILD_FUZZ=ON',
   ],
-  { targets: targets.map((target) => `kdm_fuzz_${target}`) },
+  { targets: [...Object.keys(targets), 'seeds'].map((target) => `kdm_fuzz_${target}`) },
 );
 
 const rows = [];
 let failed = false;
-for (const target of targets) {
+const program = (name) => `${root}/${folder}/tests/fuzz/kdm_fuzz_${name}`;
+for (const [target, longest] of Object.entries(targets)) {
   const corpus = `${root}/${folder}/corpus/${target}`;
   mkdirSync(corpus, { recursive: true });
   if (target === 'parsers') seedParsers(corpus);
-  const seconds = Math.ceil((60 * minutes) / targets.length);
+  if (target === 'grid') run(program('seeds'), [corpus]);
+  const seconds = Math.ceil((60 * minutes) / Object.keys(targets).length);
   const { status, stderr } = spawnSync(
-    `${root}/${folder}/tests/fuzz/kdm_fuzz_${target}`,
+    program(target),
     [
       corpus,
       `-max_total_time=${seconds}`,
-      '-max_len=4096',
+      `-max_len=${longest}`,
       '-timeout=60',
       '-rss_limit_mb=4096',
       '-print_final_stats=1',

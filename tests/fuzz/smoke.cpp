@@ -8,14 +8,14 @@
 #include <string>
 #include <vector>
 
-#include "grid/grid_format.h"
+#include "grid_seeds.h"
 #include "kdmanifold/kdmanifold.h"
-#include "support/sheets.h"
+#include "support/shapes.h"
 #include "targets.h"
 
 namespace {
 
-using Bytes = std::vector<std::uint8_t>;
+using kdm::fuzz::Bytes;
 
 // Changes, cuts out, or repeats a few stretches.
 void damage(Bytes& bytes, std::mt19937& engine) {
@@ -92,33 +92,7 @@ void smoke_build(int rounds) {
 
 void smoke_grids(int rounds) {
   std::mt19937 engine(3);
-  std::vector<Bytes> corpus;
-  const auto add = [&](const kdm::BuildOptions& options, const kdm::Mesh& mesh) {
-    const Bytes file = kdm::save_grid(kdm::build_grid(mesh, options));
-    corpus.emplace_back(file.begin() + kdm::grid_format::kHeaderBytes, file.end());
-  };
-  for (const kdm::BuildOptions& options :
-       {kdm::BuildOptions{.relative_tolerance = 0.1},
-        kdm::BuildOptions{.strategy = kdm::SplitStrategy::kUniform, .depth = 4},
-        kdm::BuildOptions{.strategy = kdm::SplitStrategy::kMedian, .depth = 7}}) {
-    for (const kdm::Mesh& mesh :
-         {kdm::shapes::cube(), kdm::shapes::thin_walled_box(0.02), kdm::shapes::torus()}) {
-      add(options, mesh);
-    }
-  }
-  const auto wave = [](double x, double y) { return 0.2 * x * y; };
-  for (const kdm::SplitStrategy strategy :
-       {kdm::SplitStrategy::kAdaptive, kdm::SplitStrategy::kUniform, kdm::SplitStrategy::kMedian}) {
-    for (const kdm::Mesh& mesh :
-         {kdm::shapes::open(kdm::shapes::cubes_at_edge(), 5), kdm::shapes::moebius_band(12),
-          kdm::shapes::merged({kdm::shapes::grid_sheet(2, 2, wave), kdm::shapes::cube()})}) {
-      add({.strategy = strategy,
-           .relative_tolerance = 0.1,
-           .depth = strategy == kdm::SplitStrategy::kAdaptive ? 0 : 5,
-           .inside = kdm::InsideRule::kSheet},
-          mesh);
-    }
-  }
+  const std::vector<Bytes> corpus = kdm::fuzz::grid_seeds();
   for (int round = 0; round < rounds; ++round) {
     Bytes bytes = corpus[engine() % corpus.size()];
     if (round % 2 == 0) {
