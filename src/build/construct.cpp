@@ -280,10 +280,11 @@ class Construction {
   double done_ = 1;  // when a limit was met
 };
 
-// How much wider a tolerance must be for all to be within the limits of which this fraction was:
-// cells are as many as there are squares of its size on the surface.
+// How much wider a tolerance must be for all to be within the limits of which this fraction was.
+// Where triangles cross everywhere, it grows with about the power 2/3 of the tolerance's inverse.
 double widening_for(double done) {
-  return std::clamp(1.2 / std::sqrt(std::max(done, 1e-3)), 1.5, 8.0);
+  const double part = std::max(done, 1e-3);
+  return std::clamp(1 / (part * std::sqrt(part)), 1.5, 16.0);
 }
 
 }  // namespace
