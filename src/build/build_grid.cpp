@@ -6,6 +6,7 @@
 #include <new>
 
 #include "build/construct.h"
+#include "build/corners.h"
 #include "build/link.h"
 #include "build/surface.h"
 #include "build/used_planes.h"
@@ -94,6 +95,7 @@ Grid build_grid(const Mesh& mesh, const BuildOptions& options, const Progress& p
   grid->planes = std::move(surface.planes);
   grid->source_faces = std::move(surface.source_faces);
   link_half_edges(surface, options.pairing, *grid);
+  keep_corners(surface, *grid);
   keep_used_planes(surface, *grid);
   grid->stats.cells = static_cast<Index>(grid->cells.size());
   grid->stats.leaves = static_cast<Index>(grid->cells.size() - grid->cells.size() / 2);

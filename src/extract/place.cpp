@@ -195,6 +195,28 @@ Vec3 rim_position(const GridData& grid, std::span<const Index> hits,
   return quadric.minimiser_in(real(box.lo), real(box.hi));
 }
 
+// Nearer to a corner than this fraction of the leaf's shortest side, a vertex stays where its hits'
+// planes meet.
+constexpr double kBesideCorner = 0.05;
+
+bool beside(const Vec3& corner, const Vec3& point, const LatticeBox& box) {
+  return (corner - point).norm() <= kBesideCorner * (real(box.hi) - real(box.lo)).minCoeff();
+}
+
+// Vertices at corners that their hits do not tell of, ascending.
+std::vector<std::pair<Index, Vec3>> find_corners(const GridData& grid, const DualMesh& mesh) {
+  std::vector<std::pair<Index, Vec3>> corners;
+  for (const KeptCorner& corner : grid.corners) {
+    const Index hit = corner.half_edge / 3;
+    const Index place = place_of_slot(corner.half_edge % 3, grid.hits[hit].reversed());
+    const Index vertex = mesh.vertex[3 * hit + place];
+    if (vertex != kNone) corners.emplace_back(vertex, corner.point);  // else of a pillow
+  }
+  std::sort(corners.begin(), corners.end(),
+            [](const auto& a, const auto& b) { return a.first < b.first; });
+  return corners;
+}
+
 }  // namespace
 
 std::vector<Index> place_vertices(const GridData& grid, const std::vector<LatticeBox>& boxes,
@@ -205,6 +227,8 @@ std::vector<Index> place_vertices(const GridData& grid, const std::vector<Lattic
   std::vector<Index> off;
   std::vector<Index> hits;
   std::vector<const RimHit*> rims;
+  const std::vector<std::pair<Index, Vec3>> corners = find_corners(grid, mesh);
+  auto corner = corners.begin();
   for (Index vertex = 0; vertex < vertices; ++vertex) {
     hits.clear();
     const Index first = mesh.first[vertex];
@@ -219,7 +243,12 @@ std::vector<Index> place_vertices(const GridData& grid, const std::vector<Lattic
       mesh.position.push_back(rim_position(grid, hits, rims, box));
       continue;
     }
+    while (corner != corners.end() && corner->first < vertex) ++corner;
     const Vec3 point = vertex_position(grid, points, hits, box, position);
+    if (corner != corners.end() && corner->first == vertex && !beside(corner->second, point, box)) {
+      mesh.position.push_back(corner->second);
+      continue;
+    }
     mesh.position.push_back(point);
     const bool on_boundary = half_edge == kNone;
     if (!on_boundary && !meets_planes(grid, hits, point, error.distance) &&

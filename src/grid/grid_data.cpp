@@ -15,7 +15,7 @@ std::size_t bytes_of(const std::vector<T>& v) {
 std::size_t GridData::bytes() const {
   return bytes_of(cells) + bytes_of(edge_begin) + bytes_of(hits) + bytes_of(opposite) +
          bytes_of(start) + bytes_of(planes) + bytes_of(source_faces) + bytes_of(rims) +
-         sizeof(GridData);
+         bytes_of(corners) + sizeof(GridData);
 }
 
 std::vector<LatticeBox> cell_boxes(const GridData& grid) {

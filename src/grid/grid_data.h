@@ -91,6 +91,12 @@ struct RimHit {
   Vec3 normal;  ///< of the plane through the rim upright on the surface; zero if there is none
 };
 
+/// A corner of the surface in the leaf of a loop, of which the hits' planes do not tell.
+struct KeptCorner {
+  Index half_edge;  ///< the lowest of the loop
+  Vec3 point;       ///< lattice coordinates
+};
+
 struct GridData {
   Lattice lattice;
   double tolerance = 0;           ///< asked for, in lattice units; never 0 in a built grid
@@ -106,6 +112,7 @@ struct GridData {
   std::vector<Index> source_faces;  ///< per plane: the input face it is of; kNone: invented
   bool sheet = false;               ///< not a solid's: half-edges may lie on the boundary
   std::vector<RimHit> rims;         ///< ascending; not all half-edges on a boundary need have one
+  std::vector<KeptCorner> corners;  ///< ascending; one a loop at most
   GridStats stats;
   InputReport input;
 

@@ -33,6 +33,8 @@
 //                      each face that is no strip, whatever `SheetLinkDecisions` ask, 1 for yes
 //   rims     n         their number
 //            a rim: n, 3 f64, 3 f64  half-edge less that of the rim before, less 1; point; normal
+//   corners  n         their number
+//            a corner: n, 3 f64  as a rim's, without normal
 //
 // What follows from this is not stored: boxes, active sides, whether hits are reversed, a solid's
 // links of two hits, links across strips, and where half-edges start.

@@ -3,6 +3,9 @@
 // others are read.
 #pragma once
 
+#include <fmt/format.h>
+
+#include <string>
 #include <vector>
 
 #include "grid/faces.h"
@@ -13,8 +16,8 @@
 
 namespace kdm {
 
-/// To be called with every minimal face, and `finish`ed; the rims follow. Throws as the
-/// reader does.
+/// To be called with every minimal face, and `finish`ed; rims and corners follow. Throws
+/// as the reader does.
 class LinkReader {
  public:
   LinkReader(ByteReader& bytes, GridData& grid) : bytes_(bytes), grid_(grid) {
@@ -52,22 +55,16 @@ class LinkReader {
   }
 
   void read_rims() const {
-    const std::uint64_t half_edges = grid_.opposite.size();
-    const std::uint64_t count = bytes_.take_varint(half_edges, "the number of rims");
-    bytes_.require(count, 1 + 6 * sizeof(double), "rim");
-    grid_.rims.reserve(static_cast<std::size_t>(count));
-    std::uint64_t next = 0;
-    for (std::uint64_t i = 0; i < count; ++i) {
-      const std::uint64_t half_edge = next + bytes_.take_varint(half_edges, "a rim's half-edge");
-      if (half_edge >= half_edges) bytes_.fail("a rim's half-edge is none");
-      next = half_edge + 1;
-      Vec3 point;
-      for (int axis = 0; axis < 3; ++axis) {
-        point[axis] = take_real(bytes_, 0, kLatticeSize, "a rim's point");
-      }
-      const Vec3 normal = take_normal(bytes_, true, "a rim's normal");
-      grid_.rims.push_back({static_cast<Index>(half_edge), point, normal});
-    }
+    read_kept("rim", 6, grid_.rims, [&](Index half_edge) {
+      const Vec3 point = take_point("a rim's point");
+      return RimHit{half_edge, point, take_normal(bytes_, true, "a rim's normal")};
+    });
+  }
+
+  void read_corners() const {
+    read_kept("corner", 3, grid_.corners, [&](Index half_edge) {
+      return KeptCorner{half_edge, take_point("a corner's point")};
+    });
   }
 
  private:
@@ -75,6 +72,31 @@ class LinkReader {
     Index half_edge;
     bool starts_below;
   };
+
+  // What is kept of some half-edges, in the order of these, each with some real numbers.
+  template <typename Kept, typename Read>
+  void read_kept(std::string_view name, std::uint64_t reals, std::vector<Kept>& kept,
+                 const Read& read) const {
+    const std::string what = fmt::format("a {}'s half-edge", name);
+    const std::uint64_t half_edges = grid_.opposite.size();
+    const std::uint64_t count =
+        bytes_.take_varint(half_edges, fmt::format("the number of {}s", name));
+    bytes_.require(count, 1 + reals * sizeof(double), name);
+    kept.reserve(static_cast<std::size_t>(count));
+    std::uint64_t next = 0;
+    for (std::uint64_t i = 0; i < count; ++i) {
+      const std::uint64_t half_edge = next + bytes_.take_varint(half_edges, what);
+      if (half_edge >= half_edges) bytes_.fail(what + " is none");
+      next = half_edge + 1;
+      kept.push_back(read(static_cast<Index>(half_edge)));
+    }
+  }
+
+  Vec3 take_point(std::string_view what) const {
+    Vec3 point;
+    for (int axis = 0; axis < 3; ++axis) point[axis] = take_real(bytes_, 0, kLatticeSize, what);
+    return point;
+  }
 
   End end_of(const FaceEdge& edge, Index hit) const {
     return {3 * hit + edge.slot, starts_below(edge, grid_.hits[hit].reversed())};

@@ -223,6 +223,7 @@ class GridReader {
     }
     links.finish();
     links.read_rims();
+    links.read_corners();
     if (bytes_.bytes_left() > 0) bytes_.fail("the grid ends here, but not the file");
   }
 

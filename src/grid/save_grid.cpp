@@ -37,6 +37,7 @@ class GridWriter {
     for_each_face(grid_, boxes_, [&](const MinimalFace& face) { write_links(face); });
     append_bits();
     write_rims();
+    write_corners();
     return std::move(out_);
   }
 
@@ -176,13 +177,25 @@ class GridWriter {
   }
 
   void write_rims() {
-    append_varint(out_, grid_.rims.size());
-    Index next = 0;
-    for (const RimHit& rim : grid_.rims) {
-      append_varint(out_, rim.half_edge - next);
-      next = rim.half_edge + 1;
+    write_kept(grid_.rims, [&](const RimHit& rim) {
       write_vector(rim.point);
       write_vector(rim.normal);
+    });
+  }
+
+  void write_corners() {
+    write_kept(grid_.corners, [&](const KeptCorner& corner) { write_vector(corner.point); });
+  }
+
+  // What is kept of some half-edges, in the order of these.
+  template <typename Kept, typename Write>
+  void write_kept(const std::vector<Kept>& kept, const Write& write) {
+    append_varint(out_, kept.size());
+    Index next = 0;
+    for (const Kept& one : kept) {
+      append_varint(out_, one.half_edge - next);
+      next = one.half_edge + 1;
+      write(one);
     }
   }
 

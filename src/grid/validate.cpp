@@ -183,6 +183,14 @@ void validate_rims(const GridData& grid) {
   }
 }
 
+void validate_corners(const GridData& grid) {
+  for (std::size_t i = 0; i < grid.corners.size(); ++i) {
+    const Index half_edge = grid.corners[i].half_edge;
+    require(half_edge < grid.opposite.size(), "a corner is of a half-edge", i);
+    require(i == 0 || grid.corners[i - 1].half_edge < half_edge, "corners ascend", i);
+  }
+}
+
 }  // namespace
 
 void validate(const GridData& grid) {
@@ -194,6 +202,7 @@ void validate(const GridData& grid) {
           "a hit has three half-edges", grid.opposite.size());
   validate_planes(grid);
   validate_rims(grid);
+  validate_corners(grid);
   FaceValidation faces(grid);
   for_each_face(grid, boxes, faces);
   faces.finish();

@@ -253,6 +253,26 @@ TEST(GridDamage, HostileRimsAreRefused) {
       << "one may have no direction";
 }
 
+TEST(GridDamage, HostileCornersAreRefused) {
+  GridData grid = load_grid(small_file()).data();
+  const auto expect_after = [&](std::vector<KeptCorner> corners, const char* reason) {
+    GridData changed = grid;
+    changed.corners = std::move(corners);
+    expect_refused(save_grid(Grid(std::make_unique<GridData>(changed))), reason);
+  };
+  const auto half_edges = static_cast<Index>(grid.opposite.size());
+  expect_after({{half_edges, Vec3::Zero()}}, "a corner's half-edge is none");
+  expect_after({{0, Vec3(0, 0, -1)}}, "a corner's point");
+  expect_after({{0, Vec3(0, std::nan(""), 0)}}, "a corner's point");
+  expect_after({{0, Vec3(2.0 * kLatticeSize, 0, 0)}}, "a corner's point");
+  EXPECT_EQ(verdict(save_grid([&] {
+              GridData changed = grid;
+              changed.corners = {{0, Vec3::Zero()}, {half_edges - 1, Vec3::Zero()}};
+              return Grid(std::make_unique<GridData>(changed));
+            }())),
+            "");
+}
+
 // Saves grids that no build makes, and says what loading makes of them.
 std::string verdict_of(GridData grid) {
   return verdict(save_grid(Grid(std::make_unique<GridData>(std::move(grid)))));

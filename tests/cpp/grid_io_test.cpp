@@ -23,6 +23,7 @@ namespace fs = std::filesystem;
 
 std::vector<Mesh> models() {
   return {shapes::cube(),
+          shapes::rotated(shapes::cube(), Vec3(1, 2, 3), 1),
           shapes::inverted(shapes::icosphere(2)),
           shapes::rotated(shapes::torus(1, 0.4, 24, 12), Vec3(1, 2, 3), 1),
           shapes::rotated(shapes::thin_walled_box(0.02), Vec3(3, 1, 2), 1),

@@ -375,6 +375,12 @@ TEST(Validate, SheetsHaveRules) {
   expect_rule("a rim is of a half-edge", [](GridData& g) {
     g.rims = {{static_cast<Index>(g.opposite.size()), Vec3::Zero(), Vec3::Zero()}};
   });
+  expect_rule("a corner is of a half-edge", [](GridData& g) {
+    g.corners = {{static_cast<Index>(g.opposite.size()), Vec3::Zero()}};
+  });
+  expect_rule("corners ascend", [](GridData& g) {
+    g.corners = {{3, Vec3::Zero()}, {3, Vec3::Zero()}};
+  });
   GridData open = sound_sheet();
   Index h = linked(open, false);
   unlink(open, h);
@@ -398,7 +404,7 @@ TEST(Validate, ItsRulesAreThoseOfTheReadme) {
   // Numbered lines without a full stop, and string literals that are no file names or formats.
   const auto listed = matches_in("README.md", std::regex("\n[0-9]+\\. ([a-z][^.\n]*)(?=\n)"));
   const auto checked = matches_in("grid/validate.cpp", std::regex("\"([^\"/{\n]+)\""));
-  EXPECT_EQ(listed.size(), 30u);
+  EXPECT_EQ(listed.size(), 32u);
   EXPECT_EQ(listed, checked);
 }
 

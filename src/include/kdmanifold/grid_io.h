@@ -12,9 +12,9 @@
 
 namespace kdm {
 
-/// The grid with its hits, planes, links, rims and reports, in a format of this library's own
-/// (described in src/grid/grid_format.h): 17 to 27 bytes a hit, up to 35 of sheets with much rim;
-/// less than half of the grid's memory. The same grid gives the same bytes on every platform.
+/// The grid with its hits, planes, links, rims, corners and reports, in a format of this library's
+/// own (described in src/grid/grid_format.h): 17 to 27 bytes a hit, up to 35 of sheets with much
+/// rim; less than half of the grid's memory. The same grid gives the same bytes on every platform.
 /// Linear in the grid. Throws `kOutOfMemory`.
 std::vector<std::uint8_t> save_grid(const Grid& grid);
 

@@ -40,6 +40,11 @@ inline void expect_same(const Grid& a, const Grid& b) {
     EXPECT_EQ(x.rims[r].point, y.rims[r].point);
     EXPECT_EQ(x.rims[r].normal, y.rims[r].normal);
   }
+  ASSERT_EQ(x.corners.size(), y.corners.size());
+  for (std::size_t c = 0; c < x.corners.size(); ++c) {
+    EXPECT_EQ(x.corners[c].half_edge, y.corners[c].half_edge);
+    EXPECT_EQ(x.corners[c].point, y.corners[c].point);
+  }
   EXPECT_EQ(x.stats.cells, y.stats.cells);
   EXPECT_EQ(x.stats.leaves, y.stats.leaves);
   EXPECT_EQ(x.stats.hits, y.stats.hits);
