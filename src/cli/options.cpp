@@ -170,7 +170,7 @@ std::vector<ValueOption> extract_options(Command& command) {
 std::vector<Flag> flags(Command& command) {
   return {
       {"--quads", "write quads where four leaves meet", [&] { command.extract.quads = true; }},
-      {"--no-unfold", "leave triangles that are folded over as they are",
+      {"--no-unfold", "leave triangles that are folded over or thin as they are",
        [&] { command.extract.unfold = false; }},
       {"--no-strict", "keep double edges and parts without volume, as --strict off",
        [&] { command.extract.strict = Strict::kOff; }},

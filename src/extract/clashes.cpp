@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "extract/emit.h"
+#include "extract/triangle_shape.h"
 #include "geometry/triangle_triangle.h"
 
 namespace kdm {
@@ -333,7 +334,7 @@ Clashes::Corners Clashes::corners(const DualMesh& mesh, Index t) const {
 
 bool Clashes::without_area(const DualMesh& mesh, Index t) const {
   const Corners c = corners(mesh, t);
-  return (c[1] - c[0]).cross(c[2] - c[0]).isZero(0);
+  return is_flat(c[0], c[1], c[2]);
 }
 
 }  // namespace kdm

@@ -16,6 +16,7 @@
 #include "extract/normals.h"
 #include "extract/place.h"
 #include "extract/refine.h"
+#include "extract/slivers.h"
 #include "extract/split_vertices.h"
 #include "extract/strict.h"
 #include "extract/unfold.h"
@@ -92,6 +93,7 @@ class Meshing {
     boxes_ = cell_boxes(grid_);
     points_ = hit_points(grid_, boxes_, options_.strict == Strict::kEmbedded);
     off_ = place_vertices(grid_, boxes_, points_, error_, options_.position, loops_);
+    move_off_slivers(grid_, boxes_, points_, loops_);
   }
 
   DualMesh faces(const Progress& progress, ExtractReport& report_out) {
@@ -99,6 +101,7 @@ class Meshing {
     if (options_.strict != Strict::kEmbedded || options_.quads) {
       mesh = std::move(loops_);
       make({}, nullptr, mesh);
+      if (options_.strict != Strict::kOff) give_area(grid_, mesh);
     } else {
       mesh = embedded(progress, report_out);
     }

@@ -118,15 +118,14 @@ void for_each_plane(const GridData& grid, std::span<const Index> hits, const Vis
   }
 }
 
-// The largest distance to the planes of the hits.
-double residual(const GridData& grid, std::span<const Index> hits, const Vec3& vertex) {
+}  // namespace
+
+double distance_to_planes(const GridData& grid, std::span<const Index> hits, const Vec3& vertex) {
   double largest = 0;
   for_each_plane(grid, hits,
                  [&](const Plane& plane) { largest = std::max(largest, plane.distance(vertex)); });
   return largest;
 }
-
-}  // namespace
 
 Vec3 vertex_position(const GridData& grid, const std::vector<Vec3>& points,
                      std::span<const Index> hits, const LatticeBox& box, VertexPosition position) {
@@ -138,7 +137,7 @@ Vec3 vertex_position(const GridData& grid, const std::vector<Vec3>& points,
   const Vec3 hi = real(box.hi);
   if (position == VertexPosition::kProjection) return quadric.minimiser_projected(lo, hi);
   return minimiser_within(quadric, lo, hi, grid.tolerance,
-                          [&](const Vec3& x) { return residual(grid, hits, x); });
+                          [&](const Vec3& x) { return distance_to_planes(grid, hits, x); });
 }
 
 double error_limit(const SplitError& error, const std::vector<Vec3>& points,
@@ -150,7 +149,7 @@ double error_limit(const SplitError& error, const std::vector<Vec3>& points,
 
 bool meets_planes(const GridData& grid, std::span<const Index> hits, const Vec3& vertex,
                   double distance) {
-  return residual(grid, hits, vertex) <= distance;
+  return distance_to_planes(grid, hits, vertex) <= distance;
 }
 
 namespace {

@@ -38,6 +38,9 @@ std::vector<Index> place_vertices(const GridData& grid, const std::vector<Lattic
 double error_limit(const SplitError& error, const std::vector<Vec3>& points,
                    std::span<const Index> hits, const Vec3& vertex);
 
+/// The largest distance of the vertex from the planes of the hits.
+double distance_to_planes(const GridData& grid, std::span<const Index> hits, const Vec3& vertex);
+
 /// Does the vertex lie within this distance of the planes of all the hits?
 bool meets_planes(const GridData& grid, std::span<const Index> hits, const Vec3& vertex,
                   double distance);

@@ -1,20 +1,23 @@
 // SPDX-License-Identifier: MIT
-// Edge flips against folds.
+// Edge flips against folds and thin triangles.
 #include "extract/unfold.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
+#include <optional>
 #include <vector>
+
+#include "extract/triangle_shape.h"
 
 namespace kdm {
 namespace {
 
-// A triangle further than about 78 degrees off its plane is folded.
-constexpr double kFolded = 0.2;
 // A flip must be worth it.
 constexpr double kGain = 0.1;
-// Triangles this thin have no direction: height over length.
-constexpr double kFlat = 1e-6;
+// By how much a flip must widen that of two triangles.
+constexpr double kWider = 2;
+// Cosine: triangles of a flip for that sake lie so near to their planes, or as near as before.
+constexpr double kAligned = 0.9;
 constexpr int kMaxFlips = 4;  // of one triangle
 
 class Unfolding {
@@ -37,14 +40,17 @@ class Unfolding {
     while (!queue_.empty()) {
       const Index t = queue_.back();
       queue_.pop_back();
-      if (folded(t) && flip_best(t)) ++flips;
+      if ((folded(t) && flip_best(t, &Unfolding::flatter)) ||
+          (thin(t) && flip_best(t, &Unfolding::wider))) {
+        ++flips;
+      }
     }
     return flips;
   }
 
  private:
   void look_at(Index t) {
-    if (!mesh_.dropped(t) && folded(t)) queue_.push_back(t);
+    if (!mesh_.dropped(t) && (folded(t) || thin(t))) queue_.push_back(t);
   }
 
   bool folded(Index t) const {
@@ -52,30 +58,37 @@ class Unfolding {
     return alignment(v[0], v[1], v[2], mesh_.hit[t]) < kFolded;
   }
 
-  // Cosine between the triangle's normal and that of the hit's plane; -1 without area.
+  bool thin(Index t) const {
+    const Index* v = &mesh_.vertex[3 * t];
+    return least_sine(v[0], v[1], v[2]) < kThinSine;
+  }
+
   double alignment(Index a, Index b, Index c, Index hit) const {
-    const Vec3& p = mesh_.position[a];
-    const Vec3 first = mesh_.position[b] - p;
-    const Vec3 second = mesh_.position[c] - p;
-    const Vec3 normal = first.cross(second);
-    const double length = normal.norm();
-    const double longest =
-        std::max({first.squaredNorm(), second.squaredNorm(), (second - first).squaredNorm()});
-    if (!(length > kFlat * longest)) return -1;
-    return normal.dot(grid_.plane_of(hit).normal) / length;
+    return kdm::alignment(mesh_.position[a], mesh_.position[b], mesh_.position[c],
+                          grid_.plane_of(hit).normal);
+  }
+
+  double least_sine(Index a, Index b, Index c) const {
+    return kdm::least_sine(mesh_.position[a], mesh_.position[b], mesh_.position[c]);
   }
 
   struct Flip {
     Index half_edge = kNone;
     double quality = 0;
-    bool swap_hits = false;
+    std::array<Index, 2> hits{};  // whose the two triangles are then
+  };
+  // Two triangles with a common edge a-b: (a, b, c) and (b, a, d), and the hits they are of.
+  struct Pair {
+    Index a, b, c, d, hit, other;
   };
 
   // Flips the edge of t that leaves the better pair of triangles; false if none does.
-  bool flip_best(Index t) {
+  bool flip_best(Index t, Flip (Unfolding::*judge)(Index, const Pair&) const) {
     Flip best;
     for (Index h = 3 * t; h < 3 * t + 3; ++h) {
-      const Flip flip = judge(h);
+      const std::optional<Pair> pair = flippable(h);
+      if (!pair) continue;
+      const Flip flip = (this->*judge)(h, *pair);
       if (flip.half_edge != kNone && (best.half_edge == kNone || flip.quality > best.quality)) {
         best = flip;
       }
@@ -84,42 +97,72 @@ class Unfolding {
     const Index other = mesh_.opposite[best.half_edge] / 3;
     mesh_.mark_edited(mesh_.hit[t]);
     mesh_.mark_edited(mesh_.hit[other]);
-    if (best.swap_hits) std::swap(mesh_.hit[t], mesh_.hit[other]);
+    mesh_.hit[t] = best.hits[0];
+    mesh_.hit[other] = best.hits[1];
     flip(best.half_edge);
     ++flips_[t];
     ++flips_[other];
-    if (folded(t)) queue_.push_back(t);
-    if (folded(other)) queue_.push_back(other);
+    look_at(t);
+    look_at(other);
     return true;
   }
 
-  // What the flip of the edge a-b between (a, b, c) and (b, a, d) to c-d would give.
-  Flip judge(Index ab) const {
+  std::optional<Pair> flippable(Index ab) const {
     const Index ba = mesh_.opposite[ab];
-    if (ba == kNone) return {};
-    if (flips_[ab / 3] >= kMaxFlips || flips_[ba / 3] >= kMaxFlips) return {};
-    const Index a = mesh_.vertex[ab];
-    const Index b = mesh_.vertex[ba];
-    const Index c = mesh_.vertex[previous_in_triangle(ab)];
-    const Index d = mesh_.vertex[previous_in_triangle(ba)];
-    if (c == d || shorter_than_four(a) || shorter_than_four(b) || joined(c, d)) return {};
-    const Index hit = mesh_.hit[ab / 3];
-    const Index other = mesh_.hit[ba / 3];
+    if (ba == kNone || flips_[ab / 3] >= kMaxFlips || flips_[ba / 3] >= kMaxFlips) return {};
+    const Pair pair{mesh_.vertex[ab],
+                    mesh_.vertex[ba],
+                    mesh_.vertex[previous_in_triangle(ab)],
+                    mesh_.vertex[previous_in_triangle(ba)],
+                    mesh_.hit[ab / 3],
+                    mesh_.hit[ba / 3]};
+    if (pair.c == pair.d || shorter_than_four(pair.a) || shorter_than_four(pair.b) ||
+        joined(pair.c, pair.d)) {
+      return {};
+    }
+    return pair;
+  }
+
+  // The flip of a-b to c-d, if the two triangles lie nearer to their planes then.
+  Flip flatter(Index ab, const Pair& pair) const {
+    const auto& [a, b, c, d, hit, other] = pair;
     const double now = std::min(alignment(a, b, c, hit), alignment(b, a, d, other));
-    const double allowed = std::max({grid_.tolerance, off_plane(c, hit), off_plane(d, other)});
     Flip best;
-    for (const bool swap : {false, true}) {
-      const Index first = swap ? other : hit;
-      const Index second = swap ? hit : other;
-      const double then = std::min(alignment(a, d, c, first), alignment(d, b, c, second));
+    for (const auto& hits : {std::array{hit, other}, std::array{other, hit}}) {
+      const double then = std::min(alignment(a, d, c, hits[0]), alignment(d, b, c, hits[1]));
       if (then < now + kGain || (best.half_edge != kNone && then <= best.quality)) continue;
-      // A crease must not be cut off.
-      const double off =
-          std::max({off_plane(a, first), off_plane(d, first), off_plane(c, first),
-                    off_plane(d, second), off_plane(b, second), off_plane(c, second)});
-      if (off <= allowed) best = {ab, then, swap};
+      if (keeps_creases(pair, hits)) best = {ab, then, hits};
     }
     return best;
+  }
+
+  // The same, if their smallest angle is wider then. What was a thin triangle's area may lie in the
+  // other's plane, and becomes that hit's.
+  Flip wider(Index ab, const Pair& pair) const {
+    const auto& [a, b, c, d, hit, other] = pair;
+    const double now = std::min(least_sine(a, b, c), least_sine(b, a, d));
+    const double then = std::min(least_sine(a, d, c), least_sine(d, b, c));
+    if (!(then > kWider * now)) return {};
+    double aligned =
+        std::min(kAligned, std::max(alignment(a, b, c, hit), alignment(b, a, d, other)));
+    Flip best;
+    for (const auto& hits : {std::array{hit, other}, std::array{other, hit}, std::array{hit, hit},
+                             std::array{other, other}}) {
+      const double nearest = std::min(alignment(a, d, c, hits[0]), alignment(d, b, c, hits[1]));
+      if (!(nearest > aligned) || !keeps_creases(pair, hits)) continue;
+      best = {ab, then, hits};
+      aligned = nearest;
+    }
+    return best;
+  }
+
+  // Would the triangles (a, d, c) and (d, b, c) cut none off?
+  bool keeps_creases(const Pair& pair, const std::array<Index, 2>& hits) const {
+    const auto& [a, b, c, d, hit, other] = pair;
+    const double allowed = std::max({grid_.tolerance, off_plane(c, hit), off_plane(d, other)});
+    return std::max({off_plane(a, hits[0]), off_plane(d, hits[0]), off_plane(c, hits[0]),
+                     off_plane(d, hits[1]), off_plane(b, hits[1]), off_plane(c, hits[1])}) <=
+           allowed;
   }
 
   double off_plane(Index v, Index hit) const {

@@ -88,7 +88,11 @@ export const extractOptions: Table<ExtractOptions> = {
     help: 'how vertices are kept within their cells',
   },
   quads: { kind: 'flag', default: false, help: 'write quads where four leaves meet' },
-  unfold: { kind: 'flag', default: true, help: 'flip edges of triangles that are folded over' },
+  unfold: {
+    kind: 'flag',
+    default: true,
+    help: 'flip edges of triangles that are folded over or thin',
+  },
   linkError: {
     kind: 'number',
     min: 0,

@@ -138,8 +138,9 @@ export interface ExtractOptions {
    */
   position?: 'constrained' | 'projection';
   /**
-   * Flip edges of triangles that are folded over their neighbours, where that lays them flat (default
-   * true). Takes away most self-intersections. Not with `quads`.
+   * Flip edges of triangles that are folded over their neighbours, where that lays them flat, and of thin ones (an
+   * angle below two degrees), where that makes their smallest angle twice as wide (default true). Takes away most
+   * self-intersections and most thin triangles. Not with `quads`.
    */
   unfold?: boolean;
   /**
@@ -252,7 +253,7 @@ export interface ExtractReport {
   splitVertices: number;
   /** Vertices added between leaves and at hits. */
   linkVertices: number;
-  /** Edges of triangles that were folded over. */
+  /** Edges of triangles that were folded over or thin. */
   flippedEdges: number;
   /** `embedded`: hits that got vertices so that nothing crosses. */
   refinedHits: number;

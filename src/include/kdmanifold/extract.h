@@ -44,8 +44,9 @@ struct ExtractOptions {
   double split_error = 0;
   /// How vertices are kept within their leaves.
   VertexPosition position = VertexPosition::kConstrained;
-  /// Flip edges of triangles that are folded over their neighbours, where that lays them flat.
-  /// Takes away most self-intersections. Not with `quads`.
+  /// Flip edges of triangles that are folded over their neighbours, where that lays them flat, and
+  /// of thin ones (an angle below two degrees), where that makes their smallest angle twice as wide.
+  /// Takes away most self-intersections and most thin triangles. Not with `quads`.
   bool unfold = true;
   /// Put a vertex where an edge passes from one leaf to another further from the surface than
   /// this, in model units. Not negative; more than the model's size: never. 0: the grid's
@@ -68,7 +69,7 @@ struct ExtractReport {
   Index inserted_vertices = 0;  ///< vertices added to keep edges apart
   Index split_vertices = 0;     ///< vertices added for further features of a leaf
   Index link_vertices = 0;      ///< vertices added between leaves and at hits
-  Index flipped_edges = 0;      ///< of triangles that were folded over
+  Index flipped_edges = 0;      ///< of triangles that were folded over or thin
   Index refined_hits = 0;       ///< `kEmbedded`: hits that got vertices so that nothing crosses
   /// `kEmbedded`: pairs of triangles that still cross or touch. 0 unless parts nearer to each other
   /// than 32 bits tell apart are in each other's way, or sheets cross. Else nobody has looked.
