@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -32,27 +33,27 @@ class Plate {
 
   const std::array<Vec3, 3>& corners() const { return corners_; }
 
-  // Do boxes or the plane show that the other triangle, which shares no corner, is elsewhere?
-  bool surely_apart(const std::array<Vec3, 3>& t) const {
+  // Do boxes or the plane show that the triangle (a, b, c), which shares no corner, is elsewhere?
+  bool surely_apart(const Vec3& a, const Vec3& b, const Vec3& c) const {
     for (int i = 0; i < 3; ++i) {
-      if ((t[0][i] > hi_[i] && t[1][i] > hi_[i] && t[2][i] > hi_[i]) ||
-          (t[0][i] < lo_[i] && t[1][i] < lo_[i] && t[2][i] < lo_[i])) {
+      if ((a[i] > hi_[i] && b[i] > hi_[i] && c[i] > hi_[i]) ||
+          (a[i] < lo_[i] && b[i] < lo_[i] && c[i] < lo_[i])) {
         return true;
       }
     }
-    int above = 0;
-    int below = 0;
-    for (const Vec3& p : t) {
-      const Vec3 d = p - corners_[0];
-      const double side = normal_.dot(d);
-      const double slack = slack_ * d.cwiseAbs().maxCoeff();
-      above += side > slack ? 1 : 0;
-      below += side < -slack ? 1 : 0;
-    }
-    return above == 3 || below == 3;
+    const int first = side(a);
+    return first != 0 && side(b) == first && side(c) == first;
   }
 
  private:
+  // Of the plane; 0 where that is not sure.
+  int side(const Vec3& p) const {
+    const Vec3 d = p - corners_[0];
+    const double height = normal_.dot(d);
+    const double slack = slack_ * d.cwiseAbs().maxCoeff();
+    return height > slack ? 1 : (height < -slack ? -1 : 0);
+  }
+
   std::array<Vec3, 3> corners_;
   Vec3 lo_;
   Vec3 hi_;
@@ -84,6 +85,7 @@ double scale_for(const Lattice& lattice) {
 Clashes::Clashes(const GridData& grid, const std::vector<LatticeBox>& boxes,
                  const std::vector<Vec3>& points, const DualMesh& loops)
     : grid_(grid),
+      boxes_(boxes),
       loops_(loops),
       envelopes_(grid, boxes, points, loops),
       triangles_(static_cast<Index>(grid.hits.size())),
@@ -91,7 +93,13 @@ Clashes::Clashes(const GridData& grid, const std::vector<LatticeBox>& boxes,
       scale_(scale_for(grid.lattice)),
       enclosed_(grid.hits.size(), 0),
       changed_(grid.hits.size(), 0),
-      first_(grid.cells.size(), kNone) {}
+      parent_(grid.cells.size(), kNone),
+      first_(grid.cells.size(), kNone) {
+  for (Index c = 0; c < grid.cells.size(); ++c) {
+    const Cell& cell = grid.cells[c];
+    if (!cell.leaf()) parent_[cell.below()] = parent_[cell.above()] = c;
+  }
+}
 
 void Clashes::find(const DualMesh& mesh) {
   std::vector<Index> hits(grid_.hits.size());
@@ -192,7 +200,7 @@ void Clashes::place(const DualMesh& mesh, Index triangle) {
 }
 
 // Where the pool has the number of triangles that keep to envelopes and may lie in the leaf, and
-// then these.
+// then these, some of them twice.
 Index Clashes::enclosed_in(Index leaf) {
   Index& begin = pool_begin_[leaf];
   if (begin != kNone) return begin;
@@ -208,9 +216,6 @@ Index Clashes::enclosed_in(Index leaf) {
       if ((loops_.strip[hit] >> i & 1) != 0) add(loops_.opposite[3 * hit + i] / 3);
     }
   });
-  const auto first = pool_.begin() + begin + 1;
-  std::sort(first, pool_.end());
-  pool_.erase(std::unique(first, pool_.end()), pool_.end());
   pool_[begin] = static_cast<Index>(pool_.size()) - begin - 1;
   return begin;
 }
@@ -232,8 +237,13 @@ void Clashes::look_round(const DualMesh& mesh, Index suspect) {
   const auto meet = [&](Index t) {
     if (seen_[t] == suspect || t == suspect) return;
     seen_[t] = suspect;
-    const Index shared = shared_corner(own, numbers(mesh, t));
-    if (shared != kNone ? spread(mesh, shared) : plate.surely_apart(corners(mesh, t))) return;
+    const Triangle other = numbers(mesh, t);
+    const Index shared = shared_corner(own, other);
+    if (shared != kNone
+            ? spread(mesh, shared)
+            : plate.surely_apart(places_[other[0]], places_[other[1]], places_[other[2]])) {
+      return;
+    }
     test(mesh, suspect, t);
   };
   const auto visit = [&](Index leaf) {
@@ -251,16 +261,34 @@ void Clashes::look_round(const DualMesh& mesh, Index suspect) {
     entries_.push_back({suspect, first_[leaf]});
     first_[leaf] = static_cast<Index>(entries_.size() - 1);
   };
-  const auto descend = [&](const auto& self, Index c) -> void {
-    const Cell& cell = grid_.cells[c];
-    if (cell.leaf()) {
-      visit(c);
-      return;
+  const Index leaf = loops_.leaf[loops_.vertex[3 * mesh.hit[suspect]]];
+  std::array<Index, kMaxDepth + 1> left;  // to be descended into
+  left[0] = cell_round(leaf, lo, hi);
+  for (std::size_t count = 1; count > 0;) {
+    Index c = left[--count];
+    while (!grid_.cells[c].leaf()) {
+      const Cell& cell = grid_.cells[c];
+      const double value = cell.value();
+      const bool above = hi[cell.axis()] >= value;
+      if (lo[cell.axis()] <= value) {
+        if (above) left[count++] = cell.above();
+        c = cell.below();
+      } else {
+        c = cell.above();
+      }
     }
-    if (lo[cell.axis()] <= cell.value()) self(self, cell.below());
-    if (hi[cell.axis()] >= cell.value()) self(self, cell.above());
-  };
-  descend(descend, 0);
+    visit(c);
+  }
+}
+
+// The smallest cell round the leaf that holds all of the box: near the leaf, while the root is far.
+Index Clashes::cell_round(Index leaf, const Vec3& lo, const Vec3& hi) const {
+  Index cell = leaf;
+  while (cell != 0 && !((lo.array() > real(boxes_[cell].lo).array()).all() &&
+                        (hi.array() < real(boxes_[cell].hi).array()).all())) {
+    cell = parent_[cell];
+  }
+  return cell;
 }
 
 // A changed triangle that keeps to its envelope, and the suspects of before.
@@ -273,7 +301,9 @@ void Clashes::look_for_suspects(const DualMesh& mesh, Index triangle) {
       const Index t = entries_[e].suspect;
       if (suspect_[t] == 0 || changed_[mesh.hit[t]] != 0 || seen_[t] == triangle) continue;
       seen_[t] = triangle;
-      if (shared_corner(own, numbers(mesh, t)) == kNone && plate.surely_apart(corners(mesh, t))) {
+      const Triangle other = numbers(mesh, t);
+      if (shared_corner(own, other) == kNone &&
+          plate.surely_apart(places_[other[0]], places_[other[1]], places_[other[2]])) {
         continue;
       }
       test(mesh, t, triangle);

@@ -35,6 +35,7 @@ class Clashes {
   void forget(const DualMesh& mesh);
   void place(const DualMesh& mesh, Index triangle);
   void look_round(const DualMesh& mesh, Index suspect);
+  Index cell_round(Index leaf, const Vec3& lo, const Vec3& hi) const;
   void look_for_suspects(const DualMesh& mesh, Index triangle);
   bool spread(const DualMesh& mesh, Index v);
   Index enclosed_in(Index leaf);
@@ -43,6 +44,7 @@ class Clashes {
   bool without_area(const DualMesh& mesh, Index t) const;
 
   const GridData& grid_;
+  const std::vector<LatticeBox>& boxes_;
   const DualMesh& loops_;
   Envelopes envelopes_;
   HitTriangles triangles_;
@@ -54,6 +56,7 @@ class Clashes {
   std::vector<char> spread_;    // per vertex: what `spread` found
   std::vector<char> suspect_;   // per triangle
   std::vector<Index> seen_;     // per triangle: the last one it was held against
+  std::vector<Index> parent_;   // per cell but the root
   std::vector<Index> first_;    // per leaf: of a list of suspects, some of which are none any more
   std::vector<Entry> entries_;
   std::vector<Index> pool_;        // of `enclosed_in`
