@@ -9,6 +9,21 @@ import { output, root } from '../../scripts/run.mjs';
 
 export const extensions = ['.obj', '.stl', '.ply', '.off'];
 
+/** Closed models that do not cross themselves: two with creases, two organic ones. */
+export const closedModels = ['fandisk.obj', 'casting.off', 'horse_quad.obj', 'armadillo_86k.ply'];
+
+/** The sizes at which they are looked at. */
+export const sizes = [
+  ...[0.01, 0.002, 0.0005].map((relativeTolerance) => ({
+    name: `adaptive ${relativeTolerance}`,
+    options: { strategy: 'adaptive', relativeTolerance },
+  })),
+  ...[15, 18, 21].map((depth) => ({
+    name: `octree ${2 ** (depth / 3)}`,
+    options: { strategy: 'octree', depth, relativeTolerance: 0 },
+  })),
+];
+
 /** Builds kdm_bench, kdm_measure and kdm_figures and returns their folder. */
 export function buildTools() {
   cmake('build/bench', ['CMAKE_BUILD_TYPE=Release', 'KDM_BUILD_BENCH=ON', 'KDM_BUILD_CLI=OFF'], {
