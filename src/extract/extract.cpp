@@ -134,12 +134,11 @@ class Meshing {
   };
 
   DualMesh embedded(const Progress& progress, ExtractReport& report_out) {
-    if (!loops_.open) {
-      // Inside of their leaves nearly all triangles are safe from each other.
-      for (Index v = 0; v < loops_.position.size(); ++v) {
-        loops_.position[v] =
-            inside(boxes_[loops_.leaf[v]], kSlightly * grid_.tolerance, loops_.position[v]);
-      }
+    // Inside of their leaves nearly all triangles are safe from each other. Vertices at rims stay
+    // there, but at tips of corners beyond a leaf's side they do not.
+    const double margin = loops_.open ? 0 : kSlightly * grid_.tolerance;
+    for (Index v = 0; v < loops_.position.size(); ++v) {
+      loops_.position[v] = inside(boxes_[loops_.leaf[v]], margin, loops_.position[v]);
     }
     DualMesh mesh = loops_;
     EmbedSteps steps;

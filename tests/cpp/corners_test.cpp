@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "grid/validate.h"
 #include "kdmanifold/build.h"
@@ -20,7 +21,6 @@ namespace {
 
 using check::Random;
 
-constexpr int kCellsPerAxis = 64;
 constexpr double kGap = 0.05;  // of a cell
 constexpr int kRotations = 40;
 
@@ -29,8 +29,9 @@ Mesh turned(const Mesh& mesh, Random& random) {
   return shapes::rotated(mesh, axis, random.between(0.1, 3));
 }
 
-double cell_size(const Grid& grid) {
-  return grid.input().lattice_step * kLatticeSize / kCellsPerAxis;
+// Of a grid with so many cells an axis.
+double cell_size(const Grid& grid, int cells) {
+  return grid.input().lattice_step * kLatticeSize / cells;
 }
 
 // The largest distance of one of the points to the nearest of the others.
@@ -70,8 +71,9 @@ bool shown(const GridData& grid, Index leaf) {
 TEST(Corners, OfTurnedCubesAreMet) {
   const BuildOptions octree{
       .strategy = SplitStrategy::kOctree, .relative_tolerance = 0, .depth = 18};
+  const BuildOptions uniform{.strategy = SplitStrategy::kUniform, .depth = 12};
   const BuildOptions adaptive{.relative_tolerance = 0.002};
-  for (const BuildOptions& options : {octree, adaptive}) {
+  for (const auto& [options, cells] : {std::pair(octree, 64), {uniform, 16}, {adaptive, 64}}) {
     SCOPED_TRACE(static_cast<int>(options.strategy));
     Random random(1);
     int missed = 0;
@@ -80,7 +82,7 @@ TEST(Corners, OfTurnedCubesAreMet) {
       const Mesh cube = turned(shapes::cube(), random);
       const Grid grid = build_grid(cube, options);
       const Mesh out = extract(grid);
-      EXPECT_LE(gap(cube.positions, out.positions), kGap * cell_size(grid));
+      EXPECT_LE(gap(cube.positions, out.positions), kGap * cell_size(grid, cells));
       EXPECT_TRUE(check::is_two_manifold(out));
       for (const Vec3& p : cube.positions) {
         const Index leaf = leaf_of(grid.data(), grid.data().lattice.to_lattice(p));
@@ -93,22 +95,39 @@ TEST(Corners, OfTurnedCubesAreMet) {
 
 TEST(Corners, AreKeptWhereAPlaneIsMissingOnly) {
   Random random(2);
-  for (int i = 0; i < kRotations; ++i) {
+  int tips = 0;
+  for (int i = 0; i < 2 * kRotations; ++i) {
     const Mesh cube = turned(shapes::cube(), random);
     const Grid built = build_grid(cube, {.strategy = SplitStrategy::kUniform, .depth = 12});
     const GridData& grid = built.data();
     EXPECT_NO_THROW(validate(grid));
-    std::vector<Index> leaves;
     for (const KeptCorner& corner : grid.corners) {
-      leaves.push_back(grid.start_leaf(corner.half_edge));
-      EXPECT_FALSE(shown(grid, leaves.back()));
+      const Index loops = grid.start_leaf(corner.half_edge);
+      const Index own = leaf_of(grid, corner.point);
+      tips += loops != own ? 1 : 0;
+      EXPECT_TRUE(loops != own || !shown(grid, own));
       EXPECT_LT(gap({grid.lattice.to_model(corner.point)}, cube.positions), 1e-9)
           << "not rounded to the lattice";
     }
     for (const Vec3& p : cube.positions) {
-      const Index leaf = leaf_of(grid, grid.lattice.to_lattice(p));
-      EXPECT_EQ(std::count(leaves.begin(), leaves.end(), leaf), shown(grid, leaf) ? 0 : 1);
+      const Vec3 at = grid.lattice.to_lattice(p);
+      const auto is_kept = [&](const KeptCorner& corner) { return (corner.point - at).norm() < 1; };
+      EXPECT_EQ(std::count_if(grid.corners.begin(), grid.corners.end(), is_kept),
+                shown(grid, leaf_of(grid, at)) ? 0 : 1);
     }
+  }
+  EXPECT_GT(tips, 0) << "in leaves without hits";
+}
+
+// There every vertex is within its leaf, or triangles might cross.
+TEST(Corners, BeyondLeavesAreNotMetByEmbeddedResults) {
+  Random random(2);
+  for (int i = 0; i < kRotations; ++i) {
+    const Mesh cube = turned(shapes::cube(), random);
+    const Grid grid = build_grid(cube, {.strategy = SplitStrategy::kUniform, .depth = 12});
+    const Mesh out = extract(grid, {.strict = Strict::kEmbedded});
+    EXPECT_TRUE(check::is_two_manifold(out));
+    EXPECT_EQ(find_self_intersections(out).pairs, 0u);
   }
 }
 

@@ -45,8 +45,8 @@ struct ExtractOptions {
   /// How vertices are kept within their leaves.
   VertexPosition position = VertexPosition::kConstrained;
   /// Flip edges of triangles that are folded over their neighbours, where that lays them flat, and
-  /// of thin ones (an angle below two degrees), where that makes their smallest angle twice as wide.
-  /// Takes away most self-intersections and most thin triangles. Not with `quads`.
+  /// of thin ones (an angle below two degrees), where that makes their smallest angle twice as
+  /// wide. Takes away most self-intersections and most thin triangles. Not with `quads`.
   bool unfold = true;
   /// Put a vertex where an edge passes from one leaf to another further from the surface than
   /// this, in model units. Not negative; more than the model's size: never. 0: the grid's
