@@ -202,8 +202,9 @@ bool beside(const Vec3& corner, const Vec3& point, const LatticeBox& box) {
   return (corner - point).norm() <= kBesideCorner * (real(box.hi) - real(box.lo)).minCoeff();
 }
 
-// Vertices at corners that their hits do not tell of, ascending.
-std::vector<std::pair<Index, Vec3>> find_corners(const GridData& grid, const DualMesh& mesh) {
+}  // namespace
+
+std::vector<std::pair<Index, Vec3>> kept_corners(const GridData& grid, const DualMesh& mesh) {
   std::vector<std::pair<Index, Vec3>> corners;
   for (const KeptCorner& corner : grid.corners) {
     const Index hit = corner.half_edge / 3;
@@ -216,8 +217,6 @@ std::vector<std::pair<Index, Vec3>> find_corners(const GridData& grid, const Dua
   return corners;
 }
 
-}  // namespace
-
 std::vector<Index> place_vertices(const GridData& grid, const std::vector<LatticeBox>& boxes,
                                   const std::vector<Vec3>& points, const SplitError& error,
                                   VertexPosition position, DualMesh& mesh) {
@@ -226,7 +225,7 @@ std::vector<Index> place_vertices(const GridData& grid, const std::vector<Lattic
   std::vector<Index> off;
   std::vector<Index> hits;
   std::vector<const RimHit*> rims;
-  const std::vector<std::pair<Index, Vec3>> corners = find_corners(grid, mesh);
+  const std::vector<std::pair<Index, Vec3>> corners = kept_corners(grid, mesh);
   auto corner = corners.begin();
   for (Index vertex = 0; vertex < vertices; ++vertex) {
     hits.clear();

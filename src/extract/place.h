@@ -4,6 +4,7 @@
 
 #include <limits>
 #include <span>
+#include <utility>
 
 #include "extract/dual_mesh.h"
 #include "kdmanifold/extract.h"
@@ -33,6 +34,10 @@ struct SplitError {
 std::vector<Index> place_vertices(const GridData& grid, const std::vector<LatticeBox>& boxes,
                                   const std::vector<Vec3>& points, const SplitError& error,
                                   VertexPosition position, DualMesh& mesh);
+
+/// Vertices for which the grid keeps corners, of which their hits do not tell, and these;
+/// ascending.
+std::vector<std::pair<Index, Vec3>> kept_corners(const GridData& grid, const DualMesh& mesh);
 
 /// What the error comes to for a vertex of these hits.
 double error_limit(const SplitError& error, const std::vector<Vec3>& points,

@@ -9,6 +9,7 @@
 #include "extract/emit.h"
 #include "extract/place.h"
 #include "extract/triangle_shape.h"
+#include "geometry/quadric.h"
 
 namespace kdm {
 namespace {
@@ -22,11 +23,17 @@ constexpr double kWide = 0.09;
 // How far towards the middle of its hits or its neighbours a vertex may go.
 constexpr std::array<double, 2> kParts{0.125, 0.5};
 
+// Of a vertex that is moved. Needles stand round those of large leaves beside many small ones,
+// where no move helps.
+constexpr std::size_t kMostHits = 32;
+
 class Moving {
  public:
   Moving(const GridData& grid, const std::vector<LatticeBox>& boxes,
          const std::vector<Vec3>& points, DualMesh& mesh)
-      : grid_(grid), boxes_(boxes), points_(points), mesh_(mesh) {}
+      : grid_(grid), boxes_(boxes), points_(points), mesh_(mesh), fixed_(mesh.first.size(), 0) {
+    for (const auto& [vertex, point] : kept_corners(grid, mesh)) fixed_[vertex] = 1;
+  }
 
   Index run() {
     Index moves = 0;
@@ -65,7 +72,7 @@ class Moving {
   }
 
   void look_for_move(Index v, Move& best) {
-    if (!read_ring(v)) return;
+    if (!read_ring(v) || at_corner()) return;
     const Vec3 before = mesh_.position[v];
     const double now = ring_quality(-2);
     const double allowed =
@@ -89,8 +96,9 @@ class Moving {
     return now < 0 ? (1 + then) / kLeast : then / std::max(now, kLeast);
   }
 
-  // The hits round the vertex, which is not on the boundary.
+  // The hits round the vertex; false if it must stay, on the boundary or at a corner.
   bool read_ring(Index v) {
+    if (fixed_[v] != 0) return false;
     ring_.clear();
     Vec3 sum = Vec3::Zero();
     Vec3 around = Vec3::Zero();
@@ -100,13 +108,20 @@ class Moving {
       sum += points_[ring_.back()];
       around += mesh_.position[mesh_.vertex[next_in_triangle(half_edge)]];
       half_edge = mesh_.turn(half_edge);
-      if (half_edge == kNone) return false;
+      if (half_edge == kNone || ring_.size() > kMostHits) return false;
     } while (half_edge != mesh_.first[v]);
     of_hits_ = sum / static_cast<double>(ring_.size());
     const LatticeBox& box = boxes_[mesh_.leaf[v]];
     of_neighbours_ =
         (around / static_cast<double>(ring_.size())).cwiseMax(real(box.lo)).cwiseMin(real(box.hi));
     return true;
+  }
+
+  // Do the hits' planes meet in one point? Sharp corners stay exact.
+  bool at_corner() const {
+    PrimalQuadric quadric(of_hits_);
+    for (const Index h : ring_) quadric.add(grid_.plane_of(h));
+    return quadric.certainty().sum() > 2.5;  // the rank
   }
 
   // The least; once that is below `enough` the rest is not looked at. A triangle still has the
@@ -124,6 +139,7 @@ class Moving {
   const std::vector<LatticeBox>& boxes_;
   const std::vector<Vec3>& points_;
   DualMesh& mesh_;
+  std::vector<char> fixed_;  // per vertex: the grid keeps a corner for it
   std::vector<Index> ring_;
   Vec3 of_hits_;        // their middle
   Vec3 of_neighbours_;  // theirs, or the leaf's point next to it
@@ -138,6 +154,8 @@ class AreaGiving {
                   (grid.lattice.origin.cwiseAbs().maxCoeff() / grid.lattice.step + kLatticeSize)) {}
 
   Index run() {
+    // What is so far off that 32 bits do not show half the tolerance stays as it is.
+    if (grid_.tolerance < rounding_ / 4) return 0;
     for (Index t = 0; t < mesh_.triangles(); ++t) {
       if (!mesh_.dropped(t) && without_area(t)) flat_.push_back(t);
     }
@@ -178,6 +196,7 @@ class AreaGiving {
       ring_.push_back(half_edge);
       half_edge = mesh_.turn(half_edge);
     } while (half_edge != mesh_.first[v] && half_edge != kNone);
+    if (ring_.size() > kMostHits) return false;
     const auto count = [this] {
       return std::count_if(ring_.begin(), ring_.end(),
                            [this](Index h) { return without_area(h / 3); });

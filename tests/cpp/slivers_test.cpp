@@ -179,6 +179,12 @@ TEST(Slivers, TrianglesGetAnAreaThat32BitsShow) {
   }
 }
 
+TEST(Slivers, FarOffNothingIsTried) {
+  Placed placed(shapes::translated(shapes::icosphere(3), Vec3(1e8, 0, 0)),
+                {.strategy = SplitStrategy::kOctree, .depth = 12});
+  EXPECT_EQ(give_area(placed.grid, placed.mesh), 0u);
+}
+
 TEST(Slivers, NoResultHasATriangleWithoutArea) {
   for (const Mesh& model : models()) {
     for (const BuildOptions& options : rules()) {
