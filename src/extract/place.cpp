@@ -131,7 +131,8 @@ Vec3 vertex_position(const GridData& grid, const std::vector<Vec3>& points,
                      std::span<const Index> hits, const LatticeBox& box, VertexPosition position) {
   Vec3 sum = Vec3::Zero();
   for (const Index h : hits) sum += points[h];
-  PrimalQuadric quadric(sum / static_cast<double>(hits.size()));
+  const Vec3 centre = sum / static_cast<double>(hits.size());
+  PrimalQuadric quadric(centre);
   for_each_plane(grid, hits, [&](const Plane& plane) { quadric.add(plane); });
   const Vec3 lo = real(box.lo);
   const Vec3 hi = real(box.hi);
@@ -194,12 +195,14 @@ Vec3 rim_position(const GridData& grid, std::span<const Index> hits,
   return quadric.minimiser_in(real(box.lo), real(box.hi));
 }
 
-// Nearer to a corner than this fraction of the leaf's shortest side, a vertex stays where its hits'
-// planes meet.
+// Nearer to a corner than these fractions of the leaf's shortest side and of the tolerance, a
+// vertex stays where its hits' planes meet.
 constexpr double kBesideCorner = 0.05;
+constexpr double kSlightly = 0.25;
 
-bool beside(const Vec3& corner, const Vec3& point, const LatticeBox& box) {
-  return (corner - point).norm() <= kBesideCorner * (real(box.hi) - real(box.lo)).minCoeff();
+bool beside(const Vec3& corner, const Vec3& point, const LatticeBox& box, double tolerance) {
+  const double side = (real(box.hi) - real(box.lo)).minCoeff();
+  return (corner - point).norm() <= std::max(kBesideCorner * side, kSlightly * tolerance);
 }
 
 }  // namespace
@@ -243,7 +246,8 @@ std::vector<Index> place_vertices(const GridData& grid, const std::vector<Lattic
     }
     while (corner != corners.end() && corner->first < vertex) ++corner;
     const Vec3 point = vertex_position(grid, points, hits, box, position);
-    if (corner != corners.end() && corner->first == vertex && !beside(corner->second, point, box)) {
+    if (corner != corners.end() && corner->first == vertex &&
+        !beside(corner->second, point, box, grid.tolerance)) {
       mesh.position.push_back(corner->second);
       continue;
     }
