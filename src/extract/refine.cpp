@@ -110,7 +110,7 @@ class Refinement {
                                 Index opposite, const Vec3& crossing) const {
     const Index hit = half_edge / 3;
     const Index other = opposite / 3;
-    if (detail == Detail::kPlain && fits_chord(face, hit, other, crossing)) return std::nullopt;
+    if (detail == Detail::kPlain && meets_planes(face, hit, other, crossing)) return std::nullopt;
     if (detail >= Detail::kApart) {
       std::vector<HitPair> links;
       if (details_.plain != nullptr) links = links_beside(*details_.plain, half_edge);
@@ -156,12 +156,13 @@ class Refinement {
     return p + std::clamp((face.lo[face.axis] - p[face.axis]) / across, 0.0, 1.0) * (q - p);
   }
 
-  // Is the surface flat between the hits, and the edge near it? Cheap, and true of most.
-  bool fits_chord(const LinkFace& face, Index hit, Index other, const Vec3& crossing) const {
-    const double half = distance_ / 2;
-    return grid_.plane_of(other).distance(points_[hit]) <= half &&
-           grid_.plane_of(hit).distance(points_[other]) <= half &&
-           grid_.plane_of(hit).distance(crossing) <= half &&
+  // Does the edge pass the face, and the planes of both hits within the distance, taken together
+  // as at a right angle? From their sections with the face it may be further off where the surface
+  // runs along the face.
+  bool meets_planes(const LinkFace& face, Index hit, Index other, const Vec3& crossing) const {
+    const double first = grid_.plane_of(hit).distance(crossing);
+    const double second = grid_.plane_of(other).distance(crossing);
+    return first * first + second * second <= distance_ * distance_ &&
            (crossing.array() >= face.lo.array() - distance_).all() &&
            (crossing.array() <= face.hi.array() + distance_).all();
   }
