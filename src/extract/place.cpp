@@ -137,8 +137,13 @@ Vec3 vertex_position(const GridData& grid, const std::vector<Vec3>& points,
   const Vec3 lo = real(box.lo);
   const Vec3 hi = real(box.hi);
   if (position == VertexPosition::kProjection) return quadric.minimiser_projected(lo, hi);
-  return minimiser_within(quadric, lo, hi, grid.tolerance,
-                          [&](const Vec3& x) { return distance_to_planes(grid, hits, x); });
+  const Vec3 least = minimiser_within(quadric, lo, hi, grid.tolerance, [&](const Vec3& x) {
+    return distance_to_planes(grid, hits, x);
+  });
+  if (distance_to_planes(grid, hits, least) <= grid.tolerance) return least;
+  std::vector<Plane> planes;
+  for_each_plane(grid, hits, [&](const Plane& plane) { planes.push_back(plane); });
+  return point_within(planes, centre, lo, hi, grid.tolerance).value_or(least);
 }
 
 double error_limit(const SplitError& error, const std::vector<Vec3>& points,

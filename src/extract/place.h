@@ -16,8 +16,9 @@ namespace kdm {
 std::vector<Vec3> hit_points(const GridData& grid, const std::vector<LatticeBox>& boxes,
                              bool apart = false);
 
-/// The point of the box with the least squared distances to the hits' planes, or the point nearest
-/// to where they are least anywhere.
+/// The point of the box with the least squared distances to the hits' planes; where that is not
+/// within the grid's tolerance of all of them, one that is, if there is one. Or the point nearest
+/// to where the squared distances are least anywhere.
 Vec3 vertex_position(const GridData& grid, const std::vector<Vec3>& points,
                      std::span<const Index> hits, const LatticeBox& box, VertexPosition position);
 
@@ -27,8 +28,8 @@ struct SplitError {
   double of_hits = 0;  ///< fraction of the distance to the furthest of its hits
 };
 
-/// Puts each loop's vertex at the minimum of the squared distances to its hits' planes, kept within
-/// its leaf as `position` says; on the boundary also to the planes through the rim. Returns the
+/// Puts each loop's vertex near its hits' planes, kept within its leaf as `position` says; on the
+/// boundary also near the planes through the rim; at corners that the grid keeps. Returns the other
 /// vertices that lie further off than the error, but for those on the boundary: a split is not
 /// defined there.
 std::vector<Index> place_vertices(const GridData& grid, const std::vector<LatticeBox>& boxes,

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace kdm {
 
@@ -154,6 +155,35 @@ Vec3 PrimalQuadric::boundary_minimiser(const Vec3& lo, const Vec3& hi) const {
     }
   }
   return centre_ + best;
+}
+
+std::optional<Vec3> point_within(std::span<const Plane> planes, const Vec3& centre, const Vec3& lo,
+                                 const Vec3& hi, double tolerance) {
+  constexpr int kRounds = 10;
+  std::vector<double> weights(planes.size(), 1.0 / static_cast<double>(planes.size()));
+  for (int round = 0; round < kRounds; ++round) {
+    PrimalQuadric quadric(centre);
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+      const double weight = std::sqrt(weights[i]);
+      quadric.add({weight * planes[i].normal, weight * planes[i].offset});
+    }
+    const Vec3 x = quadric.minimiser_in(lo, hi, PrimalQuadric::kFineCutoff);
+    double largest = 0;
+    double sum = 0;
+    double squares = 0;
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+      const double distance = planes[i].distance(x);
+      largest = std::max(largest, distance);
+      squares += weights[i] * distance * distance;
+      weights[i] *= distance;
+      sum += weights[i];
+    }
+    if (largest <= tolerance) return x;
+    // Nowhere is the largest distance less than the least mean of squares tells.
+    if (squares > tolerance * tolerance || !(sum > 0)) return std::nullopt;
+    for (double& weight : weights) weight /= sum;
+  }
+  return std::nullopt;
 }
 
 }  // namespace kdm

@@ -4,6 +4,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
+#include <span>
 
 #include "geometry/plane.h"
 
@@ -81,5 +83,12 @@ Vec3 minimiser_within(const PrimalQuadric& quadric, const Vec3& lo, const Vec3& 
   const Vec3 fine = quadric.minimiser_in(lo, hi, PrimalQuadric::kFineCutoff);
   return residual(fine) < off ? fine : coarse;
 }
+
+/// A point of the box within the tolerance of all planes, if one is found: weights grow where
+/// planes are far until none is too far (C. L. Lawson, Contributions to the theory of linear least
+/// maximum approximation, 1961). Planes that count often draw the plain minimiser away from the
+/// others.
+std::optional<Vec3> point_within(std::span<const Plane> planes, const Vec3& centre, const Vec3& lo,
+                                 const Vec3& hi, double tolerance);
 
 }  // namespace kdm
