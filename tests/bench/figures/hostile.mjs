@@ -104,7 +104,8 @@ export default function hostile({ tools, folder }) {
     const verdict = () => {
       if (status !== 0 && status !== refused) return `FAILS: ended with ${signal ?? status}`;
       if (solid !== undefined && solid !== (status === 0)) return 'FAILS: not as it should end';
-      if (status === refused) return stderr.startsWith('kdmanifold: ') ? 'ok' : 'FAILS: says nothing';
+      if (status === refused)
+        return stderr.startsWith('kdmanifold: ') ? 'ok' : 'FAILS: says nothing';
       return looks || measure(tools, out).twoManifold ? 'ok' : 'FAILS: not 2-manifold';
     };
     return {
