@@ -64,6 +64,6 @@ test('no file of the package evaluates strings or requires modules', () => {
 // Raise the numbers when something worth its size is added, never in passing.
 test('size budget: what a page has to fetch', () => {
   const zipped = (name) => gzipSync(readFileSync(join(dist, name)), { level: 9 }).length;
-  expect(zipped('kdmanifold.wasm')).toBeLessThan(360_000);
+  expect(zipped('kdmanifold.wasm')).toBeLessThan(380_000);
   expect(zipped('kdmanifold.js')).toBeLessThan(20_000);
 });
