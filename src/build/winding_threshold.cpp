@@ -76,7 +76,7 @@ double choose_winding_threshold(const WindingField& field,
   const int enough =
       *std::max_element(kept.begin(), kept.end()) - static_cast<int>(kWorthIt * kSamples);
   const auto chosen =
-      std::find_if(kept.begin(), kept.end(), [&](int samples) { return samples >= enough; });
+      std::find_if(kept.begin(), kept.end(), [&](int number) { return number >= enough; });
   return kThresholds[static_cast<std::size_t>(chosen - kept.begin())];
 }
 
