@@ -47,7 +47,7 @@ const read = (path) => (existsSync(path) ? readFileSync(path, 'utf8') : '');
 export const builders = {
   native() {
     setup('native');
-    cmake('build/native', ['CMAKE_BUILD_TYPE=Release']);
+    cmake('build/native', ['CMAKE_BUILD_TYPE=Release'], { targets: ['kdmanifold_cli'] });
   },
   wasm() {
     setup('wasm');
