@@ -185,4 +185,26 @@ Vec3 crease_point(const GridData& grid, const std::vector<Vec3>& points, const L
   return off_side(points, face, {hit, other}, {}, crease);
 }
 
+Vec3 behind_planes(const GridData& grid, const std::vector<Vec3>& points, HitPair link,
+                   std::span<const Index> hits, double distance, const Vec3& crease) {
+  const Vec3& p = points[link.hit];
+  const Vec3& q = points[link.other];
+  const double first = grid.plane_of(link.other).signed_distance(p);
+  const double second = grid.plane_of(link.hit).signed_distance(q);
+  if (!(first * second > 0)) return crease;  // flat, or bent both ways
+  const double outwards = first < 0 ? 1 : -1;
+  const Vec3 middle = 0.5 * (p + q);
+  double furthest = distance;
+  Vec3 point = crease;
+  for (const Index hit : hits) {
+    const Plane& plane = grid.plane_of(hit);
+    const auto beyond = [&](const Vec3& x) { return outwards * plane.signed_distance(x); };
+    const double off = beyond(crease);
+    if (off <= furthest || beyond(p) >= 0 || beyond(q) >= 0) continue;
+    furthest = off;
+    point = crease + off / (off - beyond(middle)) * (middle - crease);
+  }
+  return point;
+}
+
 }  // namespace kdm

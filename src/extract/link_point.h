@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "extract/dual_mesh.h"
 
@@ -41,5 +42,11 @@ Vec3 chord_point(const std::vector<Vec3>& points, const LinkFace& face, HitPair 
 /// Off their line like `chord_point`.
 Vec3 crease_point(const GridData& grid, const std::vector<Vec3>& points, const LinkFace& face,
                   Index hit, Index other);
+
+/// The crease point, but drawn back to the plane of one of `hits` that cuts it off from the link's
+/// two by more than `distance`: there is a third face between them which none of the face's sides
+/// meets.
+Vec3 behind_planes(const GridData& grid, const std::vector<Vec3>& points, HitPair link,
+                   std::span<const Index> hits, double distance, const Vec3& crease);
 
 }  // namespace kdm

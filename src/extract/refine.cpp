@@ -119,7 +119,22 @@ class Refinement {
     const Vec3 corner = crease_point(grid_, points_, face, hit, other);
     const bool wanted = detail == Detail::kFull || detail == Detail::kInside ||
                         misses(hit, corner, other, crossing);
-    return wanted ? std::optional(corner) : std::nullopt;
+    if (!wanted) return std::nullopt;
+    return behind_planes(grid_, points_, {hit, other}, hits_beside(half_edge, opposite), distance_,
+                         corner);
+  }
+
+  // Of the loops on both sides of the link.
+  std::vector<Index> hits_beside(Index half_edge, Index opposite) const {
+    std::vector<Index> hits;
+    for (const Index first : {half_edge, opposite}) {
+      Index h = first;
+      do {
+        hits.push_back(mesh_.hit[h / 3]);
+        h = mesh_.turn(h);
+      } while (h != first && h != kNone);
+    }
+    return hits;
   }
 
   // All between the two leaves of the half-edge's link.

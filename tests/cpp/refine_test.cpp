@@ -81,6 +81,29 @@ TEST(LinkPoint, IsWhereThePlanesMeet) {
   EXPECT_TRUE((bent.crease().array() <= bent.face.hi.array()).all());
 }
 
+// A roof whose ridge is cut flat where no side of the face meets it.
+TEST(LinkPoint, IsDrawnBackToAPlaneThatCutsTheCreaseOff) {
+  for (const double out : {1.0, -1.0}) {
+    TwoHits roof(Vec3(8, 0, 2), Vec3(0, -out, out), Vec3(8, 10, 2), Vec3(0, out, out));
+    const Vec3 ridge = roof.crease();
+    const auto drawn_back = [&](double top, double distance) {
+      roof.grid.planes.push_back({Vec3(0, 0, out), out * top});
+      roof.grid.hits.push_back(
+          Hit(0, static_cast<Index>(roof.grid.planes.size() - 1), false, false));
+      const std::vector<Index> hits{0, 1, static_cast<Index>(roof.grid.hits.size() - 1)};
+      return behind_planes(roof.grid, roof.points, {0, 1}, hits, distance, ridge);
+    };
+    EXPECT_LT((drawn_back(5, 0.5) - Vec3(8, 5, 5)).norm(), 1e-9);
+    EXPECT_EQ(drawn_back(5, 2.5), ridge) << "within the distance";
+    EXPECT_EQ(drawn_back(1, 0.5), ridge) << "below both hits: a face of another place";
+    EXPECT_EQ(drawn_back(9, 0.5), ridge) << "above the ridge";
+  }
+  const TwoHits bent(Vec3(8, 0, 5), Vec3(0, -1, 4), Vec3(8, 10, 5), Vec3(0, -1, 1));
+  EXPECT_EQ(
+      behind_planes(bent.grid, bent.points, {0, 1}, std::vector<Index>{0, 1}, 0.01, Vec3(8, 2, 3)),
+      Vec3(8, 2, 3));
+}
+
 // z  _______----- 2-3 from the edge itself to the side beyond it
 //   2--. 0-1 .     passes over the arc 0-1, and that over 4-5
 TEST(LinkPoint, ArcsKeepBelowWhatPassesOver) {
