@@ -118,6 +118,23 @@ void for_each_plane(const GridData& grid, std::span<const Index> hits, const Vis
   }
 }
 
+// The hits of a loop, but those of coincident edges once: how neighbours are split must not move a
+// vertex away from where the split rule expects it.
+std::vector<Index> without_repeats(const GridData& grid, const std::vector<Vec3>& points,
+                                   std::span<const Index> hits) {
+  std::vector<Index> once;
+  once.reserve(hits.size());
+  Index before = hits.back();
+  for (const Index h : hits) {
+    const bool again = h != before && grid.hits[h].plane() == grid.hits[before].plane() &&
+                       points[h] == points[before];
+    if (!again) once.push_back(h);
+    before = h;
+  }
+  if (once.empty()) once.assign(hits.begin(), hits.end());
+  return once;
+}
+
 }  // namespace
 
 double distance_to_planes(const GridData& grid, std::span<const Index> hits, const Vec3& vertex) {
@@ -129,11 +146,12 @@ double distance_to_planes(const GridData& grid, std::span<const Index> hits, con
 
 Vec3 vertex_position(const GridData& grid, const std::vector<Vec3>& points,
                      std::span<const Index> hits, const LatticeBox& box, VertexPosition position) {
+  const std::vector<Index> once = without_repeats(grid, points, hits);
   Vec3 sum = Vec3::Zero();
-  for (const Index h : hits) sum += points[h];
-  const Vec3 centre = sum / static_cast<double>(hits.size());
+  for (const Index h : once) sum += points[h];
+  const Vec3 centre = sum / static_cast<double>(once.size());
   PrimalQuadric quadric(centre);
-  for_each_plane(grid, hits, [&](const Plane& plane) { quadric.add(plane); });
+  for_each_plane(grid, once, [&](const Plane& plane) { quadric.add(plane); });
   const Vec3 lo = real(box.lo);
   const Vec3 hi = real(box.hi);
   if (position == VertexPosition::kProjection) return quadric.minimiser_projected(lo, hi);

@@ -113,6 +113,34 @@ TEST(Place, FlatRidgeAndCornerRingsInLeavesOfEverySize) {
   }
 }
 
+// A loop passes a hit again where the leaves beside its edge are split further.
+TEST(Place, HitsOfCoincidentEdgesCountOnce) {
+  Random random(5);
+  for (int round = 0; round < 100; ++round) {
+    Ring made(64, random);
+    for (int i = 0; i < 4; ++i) {  // on a curved face: no point lies on all planes
+      const Vec3 point = made.at(random.point(0.2, 0.8).cwiseProduct(Vec3(1, 1, 0.5)));
+      made.add(point, Vec3(0, 0, 1) + 0.5 * random.direction(), point);
+    }
+    std::array<Vec3, 2> expected;
+    for (int i = 0; i < 2; ++i) expected[i] = made.vertex(kPositions[i]);
+    // The second hit once more, the first at both ends of the loop.
+    made.grid.hits.insert(made.grid.hits.end(), {made.grid.hits[1], made.grid.hits[0]});
+    made.points.insert(made.points.end(), {made.points[1], made.points[0]});
+    made.hits = {0, 1, 4, 2, 3, 5};
+    for (int i = 0; i < 2; ++i) {
+      EXPECT_LE((made.vertex(kPositions[i]) - expected[i]).norm(), 1e-9);
+    }
+    made.points[4] = made.at(random.point(0, 1));
+    EXPECT_GT((made.vertex(kPositions[0]) - expected[0]).norm(), 1e-6) << "another hit";
+  }
+  Ring flat(64, random);
+  for (int i = 0; i < 2; ++i)
+    flat.add(flat.at(Vec3(0.5, 0.5, 0.5)), Vec3(0, 0, 1), flat.at(Vec3(0, 0, 0.5)));
+  flat.grid.hits[1] = flat.grid.hits[0];
+  EXPECT_EQ(flat.vertex(kPositions[0]), flat.points[0]) << "all are one";
+}
+
 // Noise in the normals moves the vertex by as much of the leaf, and not by the inverse: a flat ring
 // does not become a corner.
 TEST(Place, NoiseDoesNotMakeFeatures) {
