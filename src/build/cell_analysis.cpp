@@ -45,9 +45,10 @@ bool lies_on_side(int edge, int axis, bool high) {
 
 CellAnalysis::CellAnalysis(const Surface& surface)
     : surface_(surface), local_(surface.triangles.size(), kNone) {
-  if (!surface.has_rims()) return;
   Index points = 0;
   for (const Triangle& t : surface.corners) points = std::max({points, t[0], t[1], t[2]});
+  counted_.assign(std::size_t{points} + 1, 0);
+  if (!surface.has_rims()) return;
   on_rim_.assign(std::size_t{points} + 1, 0);
   for (Index side = 0; side < surface.topology.twin.size(); ++side) {
     if (surface.topology.twin[side] != kNone) continue;
@@ -108,19 +109,19 @@ void CellAnalysis::find_pieces(const LatticeBox& box, std::span<const ListEntry>
   subset_.clear();
   for (Index m = 0; m < members_.size(); ++m) subset_.push_back(m);
   const Index parts = count_parts(subset_, box);
-  vertices_.clear();
+  Index vertices = 0;
+  ++counts_;
   for (const Index triangle : members_) {
     for (int i = 0; i < 3; ++i) {
-      if (vertex_in_box(surface_.triangles[triangle][i], box)) {
-        if (surface_.has_rims() && on_rim_[surface_.corners[triangle][i]] != 0) continue;
-        vertices_.push_back(surface_.corners[triangle][i]);
-      }
+      const Index point = surface_.corners[triangle][i];
+      if (counted_[point] == counts_) continue;
+      if (!vertex_in_box(surface_.triangles[triangle][i], box)) continue;
+      counted_[point] = counts_;
+      if (!surface_.has_rims() || on_rim_[point] == 0) ++vertices;
     }
   }
-  std::sort(vertices_.begin(), vertices_.end());
-  const auto vertices = std::unique(vertices_.begin(), vertices_.end()) - vertices_.begin();
   euler_characteristic_ =
-      static_cast<std::int64_t>(vertices) - edges_ + static_cast<std::int64_t>(members_.size());
+      std::int64_t{vertices} - edges_ + static_cast<std::int64_t>(members_.size());
   // A part's lowest member comes before its others: pieces are numbered in that order.
   pieces_.clear();
   pieces_.reserve(parts);

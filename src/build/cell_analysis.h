@@ -112,7 +112,8 @@ class CellAnalysis {
   std::vector<Index> visit_;  // per triangle: the last search that came by
   Index visits_ = 0;
   std::vector<Index> stack_;
-  std::vector<Index> vertices_;
+  std::vector<Index> counted_;  // per point: the last cell that counted it
+  Index counts_ = 0;
   std::vector<Piece> pieces_;
   Index edges_ = 0;
   std::int64_t euler_characteristic_ = 0;
