@@ -107,7 +107,7 @@ class Refinement {
 
   // What the link needs, if anything.
   std::optional<Vec3> vertex_on(const LinkFace& face, Detail detail, Index half_edge,
-                                Index opposite, const Vec3& crossing) const {
+                                Index opposite, const Vec3& crossing) {
     const Index hit = half_edge / 3;
     const Index other = opposite / 3;
     if (detail == Detail::kPlain && meets_planes(face, hit, other, crossing)) return std::nullopt;
@@ -120,21 +120,20 @@ class Refinement {
     const bool wanted = detail == Detail::kFull || detail == Detail::kInside ||
                         misses(hit, corner, other, crossing);
     if (!wanted) return std::nullopt;
-    return behind_planes(grid_, points_, {hit, other}, hits_beside(half_edge, opposite), distance_,
-                         corner);
+    find_hits_beside(half_edge, opposite);
+    return behind_planes(grid_, points_, {hit, other}, beside_, distance_, corner);
   }
 
   // Of the loops on both sides of the link.
-  std::vector<Index> hits_beside(Index half_edge, Index opposite) const {
-    std::vector<Index> hits;
+  void find_hits_beside(Index half_edge, Index opposite) {
+    beside_.clear();
     for (const Index first : {half_edge, opposite}) {
       Index h = first;
       do {
-        hits.push_back(mesh_.hit[h / 3]);
+        beside_.push_back(mesh_.hit[h / 3]);
         h = mesh_.turn(h);
       } while (h != first && h != kNone);
     }
-    return hits;
   }
 
   // All between the two leaves of the half-edge's link.
@@ -197,6 +196,7 @@ class Refinement {
   std::vector<Index> triangles_;  // of hits that become vertices
   std::vector<Crossing> strips_;  // between two hits that become one vertex
   std::vector<Crossing> links_;
+  std::vector<Index> beside_;  // hits of the loops on both sides of the link at hand
 };
 
 }  // namespace
