@@ -169,18 +169,6 @@ class AdaptiveRule : public SplitRule {
     return std::sqrt(sum);
   }
 
-  static std::int32_t extent(const LatticeBox& box, int axis) {
-    return box.hi[axis] - box.lo[axis];
-  }
-
-  static int longest_axis(const LatticeBox& box) {
-    int axis = 0;
-    for (int i = 1; i < 3; ++i) {
-      if (extent(box, i) > extent(box, axis)) axis = i;
-    }
-    return axis;
-  }
-
   void collect_crossings(const CellView& cell) {
     crossings_.all.clear();
     crossings_.round_face = {};
@@ -222,26 +210,31 @@ class AdaptiveRule : public SplitRule {
   }
 
   // Corners of the triangles against all hits' planes: yes means yes, no means look closer.
-  bool quick_misfit(const CellView& cell) const {
+  bool quick_misfit(const CellView& cell) {
     // Crossings but no hits: all that is in the cell may lie inside other shells.
     if (hits_.empty()) return crossings_.all.empty();
     for (const ListEntry& entry : cell.entries) {
       for (const LatticePoint& p : surface_.triangles[entry.triangle]) {
         if (!vertex_in_box(p, cell.box)) continue;
-        if (misfit(real(p), kNone) > tolerance_) return true;
+        if (!is_met(real(p), kNone)) return true;
       }
     }
     return false;
   }
 
-  // Distance to the nearest plane of the piece's hits (of all hits for kNone).
-  double misfit(const Vec3& p, Index piece) const {
-    double least = std::numeric_limits<double>::infinity();
-    for (const PlannedHit& hit : hits_) {
-      if (!together(hit.piece, piece)) continue;
-      least = std::min(least, hit.plane->distance(p));
+  // Is the point within the tolerance of the plane of one of the piece's hits (of all hits for
+  // kNone)? It often is of the one that was found last.
+  bool is_met(const Vec3& p, Index piece) {
+    const auto meets = [&](std::size_t i) {
+      return together(hits_[i].piece, piece) && hits_[i].plane->distance(p) <= tolerance_;
+    };
+    if (found_ < hits_.size() && meets(found_)) return true;
+    for (std::size_t i = 0; i < hits_.size(); ++i) {
+      if (!meets(i)) continue;
+      found_ = i;
+      return true;
     }
-    return least;
+    return false;
   }
 
   // Do the two share a vertex?
@@ -264,7 +257,7 @@ class AdaptiveRule : public SplitRule {
       if (pieces[piece].kept == 0) continue;  // no vertex here: left to topology
       const ClippedPolygon part = clip_to_box(surface_.triangles[members[m]], box);
       for (int i = 0; i < part.size; ++i) {
-        if (misfit(part.corners[i], piece) > tolerance_) return false;
+        if (!is_met(part.corners[i], piece)) return false;
       }
     }
     return true;
@@ -432,6 +425,7 @@ class AdaptiveRule : public SplitRule {
   Index unresolved_ = 0;
   CellCrossings crossings_;
   std::vector<PlannedHit> hits_;
+  std::size_t found_ = 0;   // the hit by whose plane a point was met last
   std::vector<Plane> rim_;  // of the piece at hand
   Vec3 rim_centre_;
 };

@@ -276,9 +276,9 @@ bool CellAnalysis::part_is_near(Index triangle) {
   return true;
 }
 
-// Quadratic in the members, but all that is done for most pairs is to compare bounds.
-bool CellAnalysis::triangles_cross() const {
-  constexpr std::size_t kFew = 64;
+// Of few members, those are compared whose bounds overlap along the cell's longest side.
+bool CellAnalysis::triangles_cross() {
+  constexpr std::size_t kFew = 1024;
   if (members_.size() > kFew) {
     std::vector<Box> boxes;
     boxes.reserve(members_.size());
@@ -287,9 +287,15 @@ bool CellAnalysis::triangles_cross() const {
     BoxTree(boxes).for_each_pair([&](Index i, Index j) { cross = cross || members_cross(i, j); });
     return cross;
   }
-  for (Index i = 0; i < members_.size(); ++i) {
-    for (Index j = 0; j < i; ++j) {
-      if (members_cross(i, j)) return true;
+  const int axis = longest_axis(box_);
+  by_bound_.clear();
+  for (Index m = 0; m < members_.size(); ++m) by_bound_.emplace_back(bounds_[m].lo[axis], m);
+  std::sort(by_bound_.begin(), by_bound_.end());
+  for (std::size_t i = 0; i < by_bound_.size(); ++i) {
+    const Index first = by_bound_[i].second;
+    for (std::size_t j = i + 1; j < by_bound_.size(); ++j) {
+      if (by_bound_[j].first > bounds_[first].hi[axis]) break;
+      if (members_cross(first, by_bound_[j].second)) return true;
     }
   }
   return false;

@@ -7,6 +7,7 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "build/surface.h"
@@ -85,7 +86,7 @@ class CellAnalysis {
   /// round that edge, if there is one: it would come out without volume.
   std::optional<Index> find_pillow();
   /// Do two triangles cross or touch within the cell, but for what neighbours share?
-  bool triangles_cross() const;
+  bool triangles_cross();
 
  private:
   Index count_parts(std::span<const Index> subset, const LatticeBox& box);
@@ -114,6 +115,7 @@ class CellAnalysis {
   std::vector<Index> stack_;
   std::vector<Index> counted_;  // per point: the last cell that counted it
   Index counts_ = 0;
+  std::vector<std::pair<std::int32_t, Index>> by_bound_;  // members and where they begin
   std::vector<Piece> pieces_;
   Index edges_ = 0;
   std::int64_t euler_characteristic_ = 0;

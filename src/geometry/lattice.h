@@ -33,6 +33,17 @@ struct LatticeBox {
   LatticePoint hi{kLatticeSize, kLatticeSize, kLatticeSize};
 };
 
+inline std::int32_t extent(const LatticeBox& box, int axis) { return box.hi[axis] - box.lo[axis]; }
+
+/// The first of them, if several are.
+inline int longest_axis(const LatticeBox& box) {
+  int axis = 0;
+  for (int i = 1; i < 3; ++i) {
+    if (extent(box, i) > extent(box, axis)) axis = i;
+  }
+  return axis;
+}
+
 /// Corners of an input triangle, rounded to the lattice.
 using LatticeTriangle = std::array<LatticePoint, 3>;
 
