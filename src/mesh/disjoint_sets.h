@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Sets that only ever grow together (union-find with path halving).
+// Sets that only ever grow together (union-find).
 #pragma once
 
-#include <algorithm>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include "kdmanifold/types.h"
@@ -22,12 +22,19 @@ class DisjointSets {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;
   }
+  /// Rem's algorithm: of the two parents the higher one's child moves on to the lower, on the way
+  /// up to where they are the same.
   void join(Index i, Index j) {
-    i = find(i);
-    j = find(j);
-    if (i == j) return;
-    parent_[std::max(i, j)] = std::min(i, j);
-    --count_;
+    while (parent_[i] != parent_[j]) {
+      if (parent_[i] < parent_[j]) std::swap(i, j);
+      const Index up = parent_[i];
+      parent_[i] = parent_[j];
+      if (up == i) {
+        --count_;
+        return;
+      }
+      i = up;
+    }
   }
   Index count() const { return count_; }
 

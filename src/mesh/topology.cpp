@@ -10,31 +10,36 @@
 namespace kdm {
 namespace {
 
-// All sides along one edge.
-void close_edge(std::span<const EdgeSide> edge, Topology& topology, DisjointSets& parts) {
-  Index forward = 0;
-  for (const EdgeSide& r : edge) {
-    forward += r.forward ? 1 : 0;
-    parts.join(edge[0].side / 3, r.side / 3);
-  }
-  topology.boundary_edges += edge.size() == 1 ? 1 : 0;
-  topology.non_manifold_edges += edge.size() >= 3 ? 1 : 0;
-  if (2 * forward != edge.size()) {
-    ++topology.unbalanced_edges;
-    for (const EdgeSide& r : edge) {
-      topology.first_unbalanced = std::min(topology.first_unbalanced, r.side);
-    }
-  }
-  // The k-th side that runs forward meets the k-th that runs backward.
+void pair(const EdgeSide& a, const EdgeSide& b, std::vector<Index>& twin) {
+  twin[a.side] = b.side;
+  twin[b.side] = a.side;
+}
+
+// The k-th side that runs forward meets the k-th that runs backward.
+void pair_in_order(std::span<const EdgeSide> edge, std::vector<Index>& twin) {
   std::size_t back = 0;
   for (const EdgeSide& r : edge) {
     if (!r.forward) continue;
     while (back < edge.size() && edge[back].forward) ++back;
     if (back == edge.size()) return;
-    topology.twin[r.side] = edge[back].side;
-    topology.twin[edge[back].side] = r.side;
+    pair(r, edge[back], twin);
     ++back;
   }
+}
+
+// One side, or more than two, or two that run the same way.
+void close_odd_edge(std::span<const EdgeSide> edge, Topology& topology) {
+  topology.boundary_edges += edge.size() == 1 ? 1 : 0;
+  topology.non_manifold_edges += edge.size() >= 3 ? 1 : 0;
+  const auto forward =
+      std::count_if(edge.begin(), edge.end(), [](const EdgeSide& r) { return r.forward; });
+  if (2 * static_cast<std::size_t>(forward) != edge.size()) {
+    ++topology.unbalanced_edges;
+    for (const EdgeSide& r : edge) {
+      topology.first_unbalanced = std::min(topology.first_unbalanced, r.side);
+    }
+  }
+  pair_in_order(edge, topology.twin);
 }
 
 }  // namespace
@@ -44,7 +49,12 @@ Topology build_topology(std::span<const Triangle> triangles, Index points) {
   topology.twin.assign(3 * triangles.size(), kNone);
   DisjointSets parts(triangles.size());
   EdgeSides(triangles, points).for_each_edge([&](Index, std::span<const EdgeSide> edge) {
-    close_edge(edge, topology, parts);
+    for (std::size_t i = 1; i < edge.size(); ++i) parts.join(edge[0].side / 3, edge[i].side / 3);
+    if (edge.size() == 2 && edge[0].forward != edge[1].forward) {
+      pair(edge[0], edge[1], topology.twin);
+    } else {
+      close_odd_edge(edge, topology);
+    }
   });
   topology.components = parts.count();
   return topology;
