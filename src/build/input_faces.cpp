@@ -19,6 +19,12 @@
 namespace kdm {
 namespace {
 
+[[noreturn]] void throw_bad_index(std::size_t face, Index vertex, std::size_t vertices) {
+  throw Error(ErrorCode::kInvalidMesh,
+              fmt::format("indices: face {} names vertex {}, but there are {} vertices", face,
+                          vertex, vertices));
+}
+
 // With quads cut in two; corners are positions of the mesh.
 void collect_faces(const Mesh& mesh, InputFaces& result) {
   const std::size_t faces = mesh.triangles.size() + mesh.quads.size();
@@ -33,11 +39,7 @@ void collect_faces(const Mesh& mesh, InputFaces& result) {
   result.triangles.reserve(mesh.triangles.size() + 2 * mesh.quads.size());
   result.source.reserve(result.triangles.capacity());
   const auto check = [&](std::size_t face, Index vertex) {
-    if (vertex >= mesh.positions.size()) {
-      throw Error(ErrorCode::kInvalidMesh,
-                  fmt::format("indices: face {} names vertex {}, but there are {} vertices", face,
-                              vertex, mesh.positions.size()));
-    }
+    if (vertex >= mesh.positions.size()) throw_bad_index(face, vertex, mesh.positions.size());
   };
   const auto add = [&](std::size_t face, const Triangle& t) {
     result.triangles.push_back(t);
@@ -114,9 +116,22 @@ void drop_repeated_corners(InputFaces& faces) {
   }
 }
 
+// Whether faces may lie back to back. Where no edge has more than two, each is beyond all sides of
+// the other.
+bool may_cancel(const Topology& topology) {
+  const std::vector<Index>& twin = topology.twin;
+  bool pair = topology.non_manifold_edges > 0;
+  for (std::size_t side = 0; side < twin.size() && !pair; side += 3) {
+    const Index beyond = twin[side] / 3;
+    pair = twin[side + 1] / 3 == beyond && twin[side + 2] / 3 == beyond;
+  }
+  return pair;
+}
+
 // Takes out pairs of faces that lie back to back: they bound nothing, and without them more of the
 // surface is embedded.
 void cancel_opposite_faces(InputFaces& faces) {
+  if (!may_cancel(faces.topology)) return;
   const std::vector<char> cancelled =
       find_opposite_pairs(faces.triangles, static_cast<Index>(faces.points.size()));
   faces.report.cancelled_faces =
