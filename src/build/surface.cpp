@@ -63,11 +63,14 @@ Surface prepare_surface(const Mesh& mesh, const BuildOptions& options) {
   surface.lattice = lattice_over(bounds);
   surface.diagonal = (bounds.max - bounds.min).norm();
   std::vector<LatticePoint> rounded(points.size());
+  std::vector<Vec3> exact(points.size());  // lattice units, before rounding
   for (std::size_t i = 0; i < points.size(); ++i) {
     // A point that no face uses may lie anywhere; it is not rounded.
     const bool used = (points[i].array() >= bounds.min.array()).all() &&
                       (points[i].array() <= bounds.max.array()).all();
-    if (used) rounded[i] = surface.lattice.quantise(points[i]);
+    if (!used) continue;
+    rounded[i] = surface.lattice.quantise(points[i]);
+    exact[i] = surface.lattice.to_lattice(points[i]);
   }
   const std::size_t size = faces.triangles.size();
   surface.triangles.reserve(size);
@@ -85,9 +88,7 @@ Surface prepare_surface(const Mesh& mesh, const BuildOptions& options) {
     const bool degenerate = area[0] == 0 && area[1] == 0 && area[2] == 0;
     surface.degenerate.push_back(degenerate ? 1 : 0);
     surface.report.degenerate_faces += degenerate ? 1 : 0;
-    surface.planes.push_back(
-        plane_of(surface.lattice.to_lattice(points[t[0]]), surface.lattice.to_lattice(points[t[1]]),
-                 surface.lattice.to_lattice(points[t[2]]), surface.triangles[i]));
+    surface.planes.push_back(plane_of(exact[t[0]], exact[t[1]], exact[t[2]], surface.triangles[i]));
   }
   surface.report.lattice_step = surface.lattice.step;
   surface.topology = std::move(faces.topology);
