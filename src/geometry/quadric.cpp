@@ -7,97 +7,49 @@
 #include <limits>
 #include <vector>
 
+#include "geometry/symmetric.h"
+
 namespace kdm {
 
-SymmetricEigen symmetric_eigen(const Eigen::Matrix3d& matrix) {
-  Eigen::Matrix3d a = matrix;
-  Eigen::Matrix3d v = Eigen::Matrix3d::Identity();
-  const double scale = a.squaredNorm();
-  constexpr int kSweeps = 12;  // four or five are the rule
-  for (int sweep = 0; sweep < kSweeps; ++sweep) {
-    const double off = a(0, 1) * a(0, 1) + a(0, 2) * a(0, 2) + a(1, 2) * a(1, 2);
-    if (off <= 1e-28 * scale) break;
-    for (int p = 0; p < 2; ++p) {
-      for (int q = p + 1; q < 3; ++q) {
-        if (a(p, q) == 0) continue;
-        // Rotation by the smaller angle that makes a(p, q) zero.
-        const double theta = (a(q, q) - a(p, p)) / (2 * a(p, q));
-        const double t = (theta >= 0 ? 1 : -1) / (std::abs(theta) + std::sqrt(theta * theta + 1));
-        const double c = 1 / std::sqrt(t * t + 1);
-        const double s = t * c;
-        const int r = 3 - p - q;
-        const double apq = a(p, q);
-        const double apr = a(p, r);
-        const double aqr = a(q, r);
-        a(p, p) -= t * apq;
-        a(q, q) += t * apq;
-        a(p, q) = a(q, p) = 0;
-        a(p, r) = a(r, p) = c * apr - s * aqr;
-        a(q, r) = a(r, q) = s * apr + c * aqr;
-        for (int k = 0; k < 3; ++k) {
-          const double vp = v(k, p);
-          const double vq = v(k, q);
-          v(k, p) = c * vp - s * vq;
-          v(k, q) = s * vp + c * vq;
-        }
-      }
-    }
-  }
-  std::array<int, 3> order{0, 1, 2};
-  std::sort(order.begin(), order.end(),
-            [&](int i, int j) { return a(i, i) != a(j, j) ? a(i, i) > a(j, j) : i < j; });
-  SymmetricEigen result;
-  for (int k = 0; k < 3; ++k) {
-    result.values[k] = a(order[k], order[k]);
-    result.vectors.col(k) = v.col(order[k]);
-  }
-  return result;
+int PrimalQuadric::rank(const Vec3& values, double cutoff) {
+  int rank = 0;
+  while (rank < 3 && values[rank] > cutoff * values[0]) ++rank;
+  return rank;
 }
 
-namespace {
-
-// Where the planes are nearly one, which is what most vertices see, only the largest eigenvalue
-// counts, and powers of the matrix show its vector: squared three times, the others' share is
-// below rounding.
-bool dominant_direction(const Eigen::Matrix3d& a, double cutoff, Vec3& direction) {
-  const double trace = a.trace();
-  const double minors = a(0, 0) * a(1, 1) - a(0, 1) * a(0, 1) + a(0, 0) * a(2, 2) -
-                        a(0, 2) * a(0, 2) + a(1, 1) * a(2, 2) - a(1, 2) * a(1, 2);
-  // The minors add up to the largest eigenvalue times the sum of the others, or a little more.
-  if (!(minors < 0.5 * cutoff * trace * trace)) return false;
-  Eigen::Matrix3d power = a / trace;
-  for (int i = 0; i < 3; ++i) power = (power * power).eval();
-  int longest = 0;
-  power.diagonal().maxCoeff(&longest);
-  direction = power.col(longest) / power.col(longest).norm();
-  return true;
-}
-
-}  // namespace
-
+// The pseudo-inverse times b. By Cayley and Hamilton, in the plane of the first two eigenvectors
+// the inverse is (l0 + l1 - A) / (l0 l1).
 Vec3 PrimalQuadric::minimiser(double cutoff) const {
-  Vec3 direction;
-  if (dominant_direction(a_, cutoff, direction)) {
-    return centre_ + direction * (direction.dot(b_) / direction.dot(a_ * direction));
+  const Vec3 values = eigenvalues(a_);
+  switch (rank(values, cutoff)) {
+    case 0:
+      return centre_;
+    case 1: {
+      const Vec3 axis = eigenvector(a_, values[0]);
+      return centre_ + axis * (axis.dot(b_) / values[0]);
+    }
+    case 2: {
+      const Vec3 normal = eigenvector(a_, values[2]);
+      const Vec3 b = b_ - normal * normal.dot(b_);
+      return centre_ + ((values[0] + values[1]) * b - a_ * b) / (values[0] * values[1]);
+    }
+    default:
+      return centre_ + solve(a_, b_);
   }
-  const SymmetricEigen eigen = symmetric_eigen(a_);
-  Vec3 y = Vec3::Zero();
-  for (int k = 0; k < 3; ++k) {
-    if (!(eigen.values[k] > cutoff * eigen.values[0])) break;
-    const Vec3 axis = eigen.vectors.col(k);
-    y += axis * (axis.dot(b_) / eigen.values[k]);
-  }
-  return centre_ + y;
 }
 
 Vec3 PrimalQuadric::certainty() const {
-  const SymmetricEigen eigen = symmetric_eigen(a_);
-  Vec3 sum = Vec3::Zero();
-  for (int k = 0; k < 3; ++k) {
-    if (!(eigen.values[k] > kRankCutoff * eigen.values[0])) break;
-    sum += eigen.vectors.col(k).cwiseAbs2();
+  const Vec3 values = eigenvalues(a_);
+  switch (rank(values, kRankCutoff)) {
+    case 0:
+      return Vec3::Zero();
+    case 1:
+      return eigenvector(a_, values[0]).cwiseAbs2();
+    case 2:
+      return Vec3::Ones() - eigenvector(a_, values[2]).cwiseAbs2();
+    default:
+      return Vec3::Ones();
   }
-  return sum;
 }
 
 Vec3 PrimalQuadric::minimiser_in(const Vec3& lo, const Vec3& hi, double cutoff) const {
@@ -114,6 +66,9 @@ Vec3 PrimalQuadric::boundary_minimiser(const Vec3& lo, const Vec3& hi) const {
   a.diagonal().array() += kDamping * std::max(a_.trace(), 1e-300);
   const Vec3 low = lo - centre_;
   const Vec3 high = hi - centre_;
+  // The least value within the box is on a face that has the free minimiser beyond it, if one has.
+  const Vec3 free = solve(a, b_);
+  const bool inside = (free.array() >= low.array()).all() && (free.array() <= high.array()).all();
   Vec3 best = Vec3::Zero();
   double least = std::numeric_limits<double>::infinity();
   const auto consider = [&](const Vec3& y) {
@@ -127,6 +82,7 @@ Vec3 PrimalQuadric::boundary_minimiser(const Vec3& lo, const Vec3& hi) const {
     const int u = k == 2 ? 0 : k + 1;
     const int v = k == 0 ? 2 : k - 1;
     for (const bool high_side : {false, true}) {
+      if (!inside && (high_side ? free[k] <= high[k] : free[k] >= low[k])) continue;
       Vec3 y;
       y[k] = high_side ? high[k] : low[k];
       // The face: a 2x2 system.

@@ -11,16 +11,6 @@
 
 namespace kdm {
 
-/// Eigenvalues in falling order and their unit vectors, as columns.
-struct SymmetricEigen {
-  Vec3 values;
-  Eigen::Matrix3d vectors;
-};
-
-/// Of a symmetric 3x3 matrix, by Jacobi rotations: uses + - * / and square roots only, so the
-/// result is the same on every platform.
-SymmetricEigen symmetric_eigen(const Eigen::Matrix3d& matrix);
-
 /// E(x) = sum of (n_i . x - d_i)^2, kept about a centre near the planes.
 class PrimalQuadric {
  public:
@@ -64,6 +54,8 @@ class PrimalQuadric {
   static constexpr double kFineCutoff = 1e-4;
 
  private:
+  // How many of the eigenvalues are not below `cutoff` of the largest.
+  static int rank(const Vec3& values, double cutoff);
   Vec3 boundary_minimiser(const Vec3& lo, const Vec3& hi) const;
 
   Vec3 centre_;

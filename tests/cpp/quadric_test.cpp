@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Eigenvectors against Eigen's own solver, minimisers against sampling.
+// Minimisers against sampling.
 #include "geometry/quadric.h"
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <cmath>
 
@@ -23,61 +22,6 @@ Plane plane_through(const Vec3& point, const Vec3& normal) {
 void expect_near(const Vec3& a, const Vec3& b, double tolerance) {
   EXPECT_LE((a - b).cwiseAbs().maxCoeff(), tolerance)
       << "(" << a.transpose() << ") and (" << b.transpose() << ")";
-}
-
-void expect_eigen_system(const Eigen::Matrix3d& matrix) {
-  const SymmetricEigen result = symmetric_eigen(matrix);
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(matrix);
-  const double scale = std::max(matrix.norm(), 1e-300);
-  for (int k = 0; k < 3; ++k) {
-    EXPECT_NEAR(result.values[k], solver.eigenvalues()[2 - k], 1e-10 * scale) << matrix;
-    const Vec3 v = result.vectors.col(k);
-    EXPECT_LE((matrix * v - result.values[k] * v).norm(), 1e-9 * scale) << matrix;
-  }
-  EXPECT_LE((result.vectors.transpose() * result.vectors - Eigen::Matrix3d::Identity()).norm(),
-            1e-12)
-      << matrix;
-}
-
-TEST(SymmetricEigen, AgreesWithEigenOnRandomMatrices) {
-  Random random(1);
-  for (int i = 0; i < 2000; ++i) {
-    const double scale = std::pow(10.0, random.between(-6, 12));
-    Eigen::Matrix3d m;
-    for (int row = 0; row < 3; ++row) {
-      for (int column = row; column < 3; ++column) {
-        m(row, column) = m(column, row) = scale * random.between(-1, 1);
-      }
-    }
-    expect_eigen_system(m);
-  }
-}
-
-TEST(SymmetricEigen, AgreesWithEigenOnSumsOfFewPlanes) {
-  Random random(2);
-  for (int i = 0; i < 2000; ++i) {
-    Eigen::Matrix3d m = Eigen::Matrix3d::Zero();
-    const Vec3 main = random.direction();
-    for (std::uint32_t planes = 1 + random.below(4); planes > 0; --planes) {
-      // Exactly, nearly and not at all parallel to each other.
-      const double spread = std::array<double, 4>{0, 1e-9, 1e-3, 1}[random.below(4)];
-      const Vec3 n = (main + spread * random.direction()).normalized();
-      m += n * n.transpose();
-    }
-    expect_eigen_system(m);
-  }
-}
-
-TEST(SymmetricEigen, HandlesDegenerateMatrices) {
-  expect_eigen_system(Eigen::Matrix3d::Zero());
-  expect_eigen_system(Eigen::Matrix3d::Identity());
-  expect_eigen_system(Vec3(1, 2, 3).asDiagonal());
-  expect_eigen_system(Vec3(-5, 0, 5).asDiagonal());
-  expect_eigen_system(Eigen::Matrix3d::Ones());
-  expect_eigen_system(Eigen::Matrix3d::Ones() + 1e-12 * Eigen::Matrix3d::Identity());
-  Eigen::Matrix3d twice = Eigen::Matrix3d::Identity();
-  twice(0, 1) = twice(1, 0) = 1e-9;
-  expect_eigen_system(twice);
 }
 
 TEST(PrimalQuadric, ErrorIsTheSumOfSquaredDistances) {
