@@ -14,27 +14,41 @@ namespace kdm {
 /// The corner after corner `i`.
 constexpr int next_corner(int i) { return i == 2 ? 0 : i + 1; }
 
-/// Side 3t+i of triangle t, from corner i to corner i+1.
+/// Side 3t+i of triangle t is that from corner i to corner i+1.
 struct EdgeSide {
   Index upper;  ///< corner with the higher number
   Index side;
   bool forward;  ///< runs from the lower to the upper corner
 };
 
-/// All sides of triangles, in order of their edges' corners. Sides from a corner to an equal corner
+/// All sides of faces, in order of their edges' corners. Sides from a corner to an equal corner
 /// are left out. Linear time for meshes of bounded valence: sides are bucketed by their lower
 /// corner, the short buckets sorted.
 class EdgeSides {
  public:
   /// `points` bounds the corner numbers.
   EdgeSides(std::span<const Triangle> triangles, Index points)
+      : EdgeSides(points, [&](const auto& visit) {
+          Index side = 0;
+          for (const Triangle& t : triangles) {
+            for (int i = 0; i < 3; ++i, ++side) visit(t[i], t[next_corner(i)], side);
+          }
+        }) {}
+
+  /// `for_each` calls what it is given with every side's corners, from and to, and its number, in
+  /// order of the numbers. It is run twice.
+  template <typename ForEach>
+  EdgeSides(Index points, const ForEach& for_each)
       : bucket_(static_cast<std::size_t>(points) + 1, 0) {
-    for_each_side(triangles, [&](Index lower, const EdgeSide&) { ++bucket_[lower + 1]; });
+    for_each([first = bucket_.data()](Index from, Index to, Index) {
+      if (from != to) ++first[std::min(from, to) + 1];
+    });
     std::partial_sum(bucket_.begin(), bucket_.end(), bucket_.begin());
     sides_.resize(bucket_.back());
     std::vector<Index> fill(bucket_.begin(), bucket_.end() - 1);
-    for_each_side(triangles, [sides = sides_.data(), next = fill.data()](
-                                 Index lower, const EdgeSide& s) { sides[next[lower]++] = s; });
+    for_each([sides = sides_.data(), next = fill.data()](Index from, Index to, Index side) {
+      if (from != to) sides[next[std::min(from, to)]++] = {std::max(from, to), side, from < to};
+    });
     for (Index p = 0; p < points; ++p) sort(std::span(sides_).subspan(bucket_[p], size(p)));
   }
 
@@ -70,18 +84,6 @@ class EdgeSides {
         bucket[place] = bucket[place - 1];
       }
       bucket[place] = inserted;
-    }
-  }
-
-  template <typename Visit>
-  static void for_each_side(std::span<const Triangle> triangles, const Visit& visit) {
-    Index side = 0;
-    for (const Triangle& t : triangles) {
-      for (int i = 0; i < 3; ++i, ++side) {
-        const Index from = t[i];
-        const Index to = t[next_corner(i)];
-        if (from != to) visit(std::min(from, to), EdgeSide{std::max(from, to), side, from < to});
-      }
     }
   }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Uses of edges are bucketed by their lower vertex; the short buckets are sorted by the higher one.
+// Sides of faces are gathered by edge, corners at a vertex joined over edges.
 #include "mesh/faults.h"
 
 #include <fmt/format.h>
@@ -10,6 +10,7 @@
 #include "kdmanifold/error.h"
 #include "mesh/check_indices.h"
 #include "mesh/disjoint_sets.h"
+#include "mesh/edge_sides.h"
 #include "mesh/polygons.h"
 
 namespace kdm {
@@ -27,13 +28,6 @@ std::vector<std::size_t> bucket_sort(std::vector<Item>& items, std::size_t keys,
   items.swap(sorted);
   return start;
 }
-
-struct EdgeUse {
-  Index low, high;  // vertices
-  Index face;
-  std::uint8_t low_corner, high_corner;
-  bool upwards;  // from the low to the high vertex
-};
 
 class Inspector {
  public:
@@ -98,69 +92,57 @@ class Inspector {
     std::sort(faults_.duplicate_faces.begin(), faults_.duplicate_faces.end());
   }
 
+  // Sides have the numbers of the corners that they run from.
   void find_edges() {
-    std::vector<EdgeUse> uses;
-    uses.reserve(4 * std::size_t{faces_.size()});
-    for (Index face = 0; face < faces_.size(); ++face) {
-      if (degenerate_[face]) continue;
-      const Index n = faces_.corners(face);
-      for (Index k = 0; k < n; ++k) {
-        const Index k2 = k + 1 == n ? 0 : k + 1;
-        const Index from = faces_[face][k];
-        const Index to = faces_[face][k2];
-        const auto c = static_cast<std::uint8_t>(k);
-        const auto c2 = static_cast<std::uint8_t>(k2);
-        uses.push_back(from < to ? EdgeUse{from, to, face, c, c2, true}
-                                 : EdgeUse{to, from, face, c2, c, false});
+    const EdgeSides edges(static_cast<Index>(vertices_), [&](const auto& visit) {
+      for (Index face = 0; face < faces_.size(); ++face) {
+        if (degenerate_[face]) continue;
+        const Index* v = faces_[face];
+        const Index last = faces_.corners(face) - 1;
+        for (Index k = 0; k < last; ++k) visit(v[k], v[k + 1], corner(face, k));
+        visit(v[last], v[0], corner(face, last));
       }
-    }
-    const auto start = bucket_sort(uses, vertices_, [](const EdgeUse& use) { return use.low; });
-    for (std::size_t v = 0; v < vertices_; ++v) {
-      std::sort(uses.data() + start[v], uses.data() + start[v + 1],
-                [](const EdgeUse& a, const EdgeUse& b) {
-                  return a.high != b.high ? a.high < b.high : a.face < b.face;
-                });
-      for (std::size_t i = start[v]; i < start[v + 1];) {
-        std::size_t end = i + 1;
-        while (end < start[v + 1] && uses[end].high == uses[i].high) ++end;
-        close_edge(&uses[i], end - i);
-        i = end;
-      }
-    }
+    });
+    edges.for_each_edge(
+        [&](Index low, std::span<const EdgeSide> sides) { close_edge(low, sides); });
     for (BoundaryEdge& edge : faults_.boundary_edges) {
       for (Index& fan : edge.fans) fan = fans_.find(fan);
     }
   }
 
-  // All uses of one edge.
-  void close_edge(const EdgeUse* uses, std::size_t count) {
-    const Edge ascending = {uses->low, uses->high};
-    std::uint8_t& found = edges_of_[uses->face].found;
-    ++edges_of_[uses->face].count;
+  static Index face_of(const EdgeSide& side) { return side.side / 4; }
+  Index end_of(const EdgeSide& side) const {
+    const Index k = side.side % 4;
+    return k + 1 == faces_.corners(face_of(side)) ? side.side - k : side.side + 1;
+  }
+  Index low_corner(const EdgeSide& side) const { return side.forward ? side.side : end_of(side); }
+  Index high_corner(const EdgeSide& side) const { return side.forward ? end_of(side) : side.side; }
+
+  // All sides along one edge.
+  void close_edge(Index low, std::span<const EdgeSide> sides) {
+    const EdgeSide& first = sides[0];
+    const Edge ascending = {low, first.upper};
+    std::uint8_t& found = edges_of_[face_of(first)].found;
+    ++edges_of_[face_of(first)].count;
     ++faults_.edges;
     std::size_t upwards = 0;
-    for (std::size_t i = 0; i < count; ++i) upwards += uses[i].upwards;
-    if (2 * upwards != count) found |= kUnbalanced;
-    if (count == 1) {
-      const Index low = corner(uses->face, uses->low_corner);
-      const Index high = corner(uses->face, uses->high_corner);
-      faults_.boundary_edges.push_back(
-          uses->upwards ? BoundaryEdge{ascending, {low, high}, uses->face}
-                        : BoundaryEdge{{uses->high, uses->low}, {high, low}, uses->face});
-    } else if (count == 2 && upwards != 1) {
+    for (const EdgeSide& side : sides) upwards += side.forward ? 1 : 0;
+    if (2 * upwards != sides.size()) found |= kUnbalanced;
+    if (sides.size() == 1) {
+      const Edge along = first.forward ? ascending : Edge{first.upper, low};
+      faults_.boundary_edges.push_back({along, {first.side, end_of(first)}, face_of(first)});
+    } else if (sides.size() == 2 && upwards != 1) {
       found |= kMisoriented;
       faults_.misoriented_edges.push_back(ascending);
-    } else if (count > 2) {
+    } else if (sides.size() > 2) {
       found |= kNonManifold;
       faults_.non_manifold_edges.push_back(ascending);
-      vertex_faults_[uses->low] = vertex_faults_[uses->high] = true;
+      vertex_faults_[low] = vertex_faults_[first.upper] = true;
     }
-    for (std::size_t i = 1; i < count; ++i) {
-      const EdgeUse& a = uses[i - 1];
-      const EdgeUse& b = uses[i];
-      parts_.join(a.face, b.face);
-      fans_.join(corner(a.face, a.low_corner), corner(b.face, b.low_corner));
-      fans_.join(corner(a.face, a.high_corner), corner(b.face, b.high_corner));
+    for (std::size_t i = 1; i < sides.size(); ++i) {
+      parts_.join(face_of(sides[i - 1]), face_of(sides[i]));
+      fans_.join(low_corner(sides[i - 1]), low_corner(sides[i]));
+      fans_.join(high_corner(sides[i - 1]), high_corner(sides[i]));
     }
   }
 
