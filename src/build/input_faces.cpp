@@ -116,24 +116,12 @@ void drop_repeated_corners(InputFaces& faces) {
   }
 }
 
-// Whether faces may lie back to back. Where no edge has more than two, each is beyond all sides of
-// the other.
-bool may_cancel(const Topology& topology) {
-  const std::vector<Index>& twin = topology.twin;
-  bool pair = topology.non_manifold_edges > 0;
-  for (std::size_t side = 0; side < twin.size() && !pair; side += 3) {
-    const Index beyond = twin[side] / 3;
-    pair = twin[side + 1] / 3 == beyond && twin[side + 2] / 3 == beyond;
-  }
-  return pair;
-}
-
 // Takes out pairs of faces that lie back to back: they bound nothing, and without them more of the
 // surface is embedded.
 void cancel_opposite_faces(InputFaces& faces) {
-  if (!may_cancel(faces.topology)) return;
   const std::vector<char> cancelled =
-      find_opposite_pairs(faces.triangles, static_cast<Index>(faces.points.size()));
+      find_opposite_pairs(faces.triangles, static_cast<Index>(faces.points.size()), faces.topology);
+  if (std::find(cancelled.begin(), cancelled.end(), 1) == cancelled.end()) return;
   faces.report.cancelled_faces =
       keep_faces(faces, [&](std::size_t i) { return cancelled[i] == 0; });
   if (faces.triangles.empty()) {

@@ -5,12 +5,14 @@
 #include <span>
 #include <vector>
 
-#include "kdmanifold/types.h"
+#include "mesh/topology.h"
 
 namespace kdm {
 
 /// Finds pairs of triangles over the same three corners that face opposite ways. Each triangle is
-/// in one pair at most. Returns one flag a triangle. Linear time for meshes of bounded valence.
-std::vector<char> find_opposite_pairs(std::span<const Triangle> triangles, Index points);
+/// in one pair at most. Returns one flag a triangle. `topology` is theirs, `points` bounds the
+/// corner numbers. Linear time for meshes of bounded valence.
+std::vector<char> find_opposite_pairs(std::span<const Triangle> triangles, Index points,
+                                      const Topology& topology);
 
 }  // namespace kdm

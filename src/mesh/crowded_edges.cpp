@@ -66,20 +66,16 @@ void pair_edge(std::span<const Side> edge, std::span<const Triangle> triangles,
 
 void pair_straightest(std::span<const Triangle> triangles, const std::vector<Vec3>& points,
                       Topology& topology) {
-  if (topology.non_manifold_edges == 0) return;
   std::vector<Side> sides;
-  for (Index side = 0; side < 3 * triangles.size(); ++side) {
+  for (const Index side : topology.crowded) {
     const Index from = triangles[side / 3][side % 3];
     const Index to = triangles[side / 3][next_corner(static_cast<int>(side % 3))];
-    if (from != to) sides.push_back({std::min(from, to), std::max(from, to), side, from < to});
+    sides.push_back({std::min(from, to), std::max(from, to), side, from < to});
   }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-    return std::array{a.low, a.high, a.number} < std::array{b.low, b.high, b.number};
-  });
   for (auto first = sides.begin(); first != sides.end();) {
     auto last = first;
     while (last != sides.end() && last->same_edge(*first)) ++last;
-    if (last - first > 2 && last - first <= kMostSides) {
+    if (last - first <= kMostSides) {
       pair_edge({&*first, static_cast<std::size_t>(last - first)}, triangles, points,
                 topology.twin);
     }

@@ -30,7 +30,10 @@ void pair_in_order(std::span<const EdgeSide> edge, std::vector<Index>& twin) {
 // One side, or more than two, or two that run the same way.
 void close_odd_edge(std::span<const EdgeSide> edge, Topology& topology) {
   topology.boundary_edges += edge.size() == 1 ? 1 : 0;
-  topology.non_manifold_edges += edge.size() >= 3 ? 1 : 0;
+  if (edge.size() >= 3) {
+    ++topology.non_manifold_edges;
+    for (const EdgeSide& r : edge) topology.crowded.push_back(r.side);
+  }
   const auto forward =
       std::count_if(edge.begin(), edge.end(), [](const EdgeSide& r) { return r.forward; });
   if (2 * static_cast<std::size_t>(forward) != edge.size()) {

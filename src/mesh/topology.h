@@ -15,6 +15,7 @@ struct Topology {
   /// The side that runs along the same edge the other way; kNone on open edges. Where an edge has
   /// four or more triangles, sides of opposite direction are paired in order of their numbers.
   std::vector<Index> twin;
+  std::vector<Index> crowded;      ///< sides on edges with three or more, edge by edge, ascending
   Index boundary_edges = 0;        ///< edges with one triangle
   Index non_manifold_edges = 0;    ///< edges with three or more triangles
   Index unbalanced_edges = 0;      ///< edges not used equally often in both directions
