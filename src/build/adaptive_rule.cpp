@@ -295,7 +295,8 @@ class AdaptiveRule : public SplitRule {
       for (const Plane& plane : rim_) largest = std::max(largest, plane.distance(x));
       return largest;
     };
-    const Vec3 vertex = minimiser_within(quadric, real(box.lo), real(box.hi), tolerance_, residual);
+    const Vec3 vertex =
+        minimiser_within(quadric, real(box.lo), real(box.hi), tolerance_, residual).point;
     // Splits of neighbours may yet put hits on any of the piece's triangles.
     const std::span<const Index> members = analysis_.members();
     for (std::size_t m = 0; m < members.size(); ++m) {

@@ -155,13 +155,13 @@ Vec3 vertex_position(const GridData& grid, const std::vector<Vec3>& points,
   const Vec3 lo = real(box.lo);
   const Vec3 hi = real(box.hi);
   if (position == VertexPosition::kProjection) return quadric.minimiser_projected(lo, hi);
-  const Vec3 least = minimiser_within(quadric, lo, hi, grid.tolerance, [&](const Vec3& x) {
+  const Minimiser least = minimiser_within(quadric, lo, hi, grid.tolerance, [&](const Vec3& x) {
     return distance_to_planes(grid, hits, x);
   });
-  if (distance_to_planes(grid, hits, least) <= grid.tolerance) return least;
+  if (least.residual <= grid.tolerance) return least.point;
   std::vector<Plane> planes;
   for_each_plane(grid, hits, [&](const Plane& plane) { planes.push_back(plane); });
-  return point_within(planes, centre, lo, hi, grid.tolerance).value_or(least);
+  return point_within(planes, centre, lo, hi, grid.tolerance).value_or(least.point);
 }
 
 double error_limit(const SplitError& error, const std::vector<Vec3>& points,

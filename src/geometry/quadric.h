@@ -64,16 +64,23 @@ class PrimalQuadric {
   double c_ = 0;
 };
 
+/// A minimiser and the largest distance to its planes.
+struct Minimiser {
+  Vec3 point;
+  double residual;
+};
+
 /// `minimiser_in` by the coarse rank if its residual, the largest distance to the planes, is well
 /// within the tolerance, else by the fine one if that is nearer.
 template <typename Residual>
-Vec3 minimiser_within(const PrimalQuadric& quadric, const Vec3& lo, const Vec3& hi,
-                      double tolerance, const Residual& residual) {
+Minimiser minimiser_within(const PrimalQuadric& quadric, const Vec3& lo, const Vec3& hi,
+                           double tolerance, const Residual& residual) {
   const Vec3 coarse = quadric.minimiser_in(lo, hi);
   const double off = residual(coarse);
-  if (off <= 0.5 * tolerance) return coarse;
+  if (off <= 0.5 * tolerance) return {coarse, off};
   const Vec3 fine = quadric.minimiser_in(lo, hi, PrimalQuadric::kFineCutoff);
-  return residual(fine) < off ? fine : coarse;
+  const double fine_off = residual(fine);
+  return fine_off < off ? Minimiser{fine, fine_off} : Minimiser{coarse, off};
 }
 
 /// A point of the box within the tolerance of all planes, if one is found: weights grow where

@@ -183,8 +183,8 @@ TEST(PrimalQuadric, ASlightCreaseCountsWhereThePlanesAskForIt) {
   };
   EXPECT_NEAR(quadric.minimiser_in(lo, hi)[0], 4, 1e-9);
   EXPECT_NEAR(quadric.minimiser_in(lo, hi, PrimalQuadric::kFineCutoff)[0], 0, 1e-9);
-  EXPECT_NEAR(minimiser_within(quadric, lo, hi, 1, residual)[0], 4, 1e-9);
-  EXPECT_NEAR(minimiser_within(quadric, lo, hi, 0.01, residual)[0], 0, 1e-9);
+  EXPECT_NEAR(minimiser_within(quadric, lo, hi, 1, residual).point[0], 4, 1e-9);
+  EXPECT_NEAR(minimiser_within(quadric, lo, hi, 0.01, residual).point[0], 0, 1e-9);
 }
 
 }  // namespace
