@@ -61,13 +61,12 @@ class Moving {
     const Vec3& a = mesh_.position[mesh_.vertex[3 * t]];
     const Vec3& b = mesh_.position[mesh_.vertex[3 * t + 1]];
     const Vec3& c = mesh_.position[mesh_.vertex[3 * t + 2]];
-    const double sine = least_sine(a, b, c);
+    const TriangleShape shape(a, b, c);
+    const double sine = shape.least_sine();
     if (sine < kThinSine) {
-      const double sides[3] = {(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()};
-      const auto [least, most] = std::minmax_element(std::begin(sides), std::end(sides));
-      return *least <= kNeedle * kNeedle * *most ? sine : kThinSine;
+      return shape.shortest() <= kNeedle * kNeedle * shape.longest() ? sine : kThinSine;
     }
-    const double cosine = alignment(a, b, c, grid_.plane_of(mesh_.hit[t]).normal);
+    const double cosine = shape.alignment(grid_.plane_of(mesh_.hit[t]).normal);
     return cosine < kFolded ? cosine - kFolded - 1 : std::min(sine, kWide);
   }
 

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "geometry/plane.h"
@@ -16,30 +17,41 @@ inline constexpr double kFolded = 0.2;
 /// One whose smallest angle is below two degrees is thin: sine.
 inline constexpr double kThinSine = 0.035;
 
-/// Cosine between the triangle's normal and a unit vector; -1 if it is so thin that it has no
-/// direction.
-inline double alignment(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& wanted) {
-  constexpr double kFlat = 1e-6;  // height over length
-  const Vec3 first = b - a;
-  const Vec3 second = c - a;
-  const Vec3 normal = first.cross(second);
-  const double length = normal.norm();
-  const double longest =
-      std::max({first.squaredNorm(), second.squaredNorm(), (second - first).squaredNorm()});
-  if (!(length > kFlat * longest)) return -1;
-  return normal.dot(wanted) / length;
-}
+/// What is needed to tell how a triangle of these corners lies and how thin it is.
+class TriangleShape {
+ public:
+  TriangleShape(const Vec3& a, const Vec3& b, const Vec3& c) {
+    const Vec3 first = b - a;
+    const Vec3 second = c - a;
+    normal_ = first.cross(second);
+    length_ = normal_.norm();
+    squares_ = {first.squaredNorm(), second.squaredNorm(), (second - first).squaredNorm()};
+  }
 
-/// Of the smallest angle, which lies between the two longer sides; 0 if corners are one point.
-inline double least_sine(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Vec3 first = b - a;
-  const Vec3 second = c - a;
-  const double x = first.squaredNorm();
-  const double y = second.squaredNorm();
-  const double z = (second - first).squaredNorm();
-  const double squares = std::max({x * y, y * z, z * x});
-  return squares > 0 ? first.cross(second).norm() / std::sqrt(squares) : 0;
-}
+  /// Cosine between the triangle's normal and a unit vector; -1 if it is so thin that it has no
+  /// direction.
+  double alignment(const Vec3& wanted) const {
+    constexpr double kFlat = 1e-6;  // height over length
+    if (!(length_ > kFlat * longest())) return -1;
+    return normal_.dot(wanted) / length_;
+  }
+
+  /// Of the smallest angle, which lies between the two longer sides; 0 if corners are one point.
+  double least_sine() const {
+    const auto& [x, y, z] = squares_;
+    const double squares = std::max({x * y, y * z, z * x});
+    return squares > 0 ? length_ / std::sqrt(squares) : 0;
+  }
+
+  /// Squared lengths of the sides.
+  double shortest() const { return *std::min_element(squares_.begin(), squares_.end()); }
+  double longest() const { return *std::max_element(squares_.begin(), squares_.end()); }
+
+ private:
+  Vec3 normal_;
+  double length_;
+  std::array<double, 3> squares_;
+};
 
 /// Are the three points, of 32-bit coordinates, on one line?
 inline bool is_flat(const Vec3& a, const Vec3& b, const Vec3& c) {

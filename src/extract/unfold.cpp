@@ -40,8 +40,9 @@ class Unfolding {
     while (!queue_.empty()) {
       const Index t = queue_.back();
       queue_.pop_back();
-      if ((folded(t) && flip_best(t, &Unfolding::flatter)) ||
-          (thin(t) && flip_best(t, &Unfolding::wider))) {
+      const TriangleShape shape = shape_of(t);
+      if ((folded(t, shape) && flip_best(t, &Unfolding::flatter)) ||
+          (thin(shape) && flip_best(t, &Unfolding::wider))) {
         ++flips;
       }
     }
@@ -50,27 +51,31 @@ class Unfolding {
 
  private:
   void look_at(Index t) {
-    if (!mesh_.dropped(t) && (folded(t) || thin(t))) queue_.push_back(t);
+    if (mesh_.dropped(t)) return;
+    const TriangleShape shape = shape_of(t);
+    if (folded(t, shape) || thin(shape)) queue_.push_back(t);
   }
 
-  bool folded(Index t) const {
-    const Index* v = &mesh_.vertex[3 * t];
-    return alignment(v[0], v[1], v[2], mesh_.hit[t]) < kFolded;
+  bool folded(Index t, const TriangleShape& shape) const {
+    return shape.alignment(grid_.plane_of(mesh_.hit[t]).normal) < kFolded;
   }
 
-  bool thin(Index t) const {
+  static bool thin(const TriangleShape& shape) { return shape.least_sine() < kThinSine; }
+
+  TriangleShape shape_of(Index t) const {
     const Index* v = &mesh_.vertex[3 * t];
-    return least_sine(v[0], v[1], v[2]) < kThinSine;
+    return shape_of(v[0], v[1], v[2]);
+  }
+
+  TriangleShape shape_of(Index a, Index b, Index c) const {
+    return {mesh_.position[a], mesh_.position[b], mesh_.position[c]};
   }
 
   double alignment(Index a, Index b, Index c, Index hit) const {
-    return kdm::alignment(mesh_.position[a], mesh_.position[b], mesh_.position[c],
-                          grid_.plane_of(hit).normal);
+    return shape_of(a, b, c).alignment(grid_.plane_of(hit).normal);
   }
 
-  double least_sine(Index a, Index b, Index c) const {
-    return kdm::least_sine(mesh_.position[a], mesh_.position[b], mesh_.position[c]);
-  }
+  double least_sine(Index a, Index b, Index c) const { return shape_of(a, b, c).least_sine(); }
 
   struct Flip {
     Index half_edge = kNone;

@@ -61,15 +61,16 @@ struct Placed {
     return hits;
   }
 
-  double least_sine_of(Index t) const {
-    return least_sine(mesh.position[mesh.vertex[3 * t]], mesh.position[mesh.vertex[3 * t + 1]],
-                      mesh.position[mesh.vertex[3 * t + 2]]);
+  TriangleShape shape_of(Index t) const {
+    return {mesh.position[mesh.vertex[3 * t]], mesh.position[mesh.vertex[3 * t + 1]],
+            mesh.position[mesh.vertex[3 * t + 2]]};
   }
+
+  double least_sine_of(Index t) const { return shape_of(t).least_sine(); }
 
   bool folded(Index t) const {
     return least_sine_of(t) >= kThinSine &&
-           alignment(mesh.position[mesh.vertex[3 * t]], mesh.position[mesh.vertex[3 * t + 1]],
-                     mesh.position[mesh.vertex[3 * t + 2]], grid.plane_of(t).normal) < kFolded;
+           shape_of(t).alignment(grid.plane_of(t).normal) < kFolded;
   }
 
   std::size_t folds() const {

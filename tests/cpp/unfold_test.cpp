@@ -82,7 +82,8 @@ double least_angle_sine(const Tent& tent) {
   const Mesh mesh = shapes::index_mesh(tent.mesh);
   double least = 1;
   for (const auto& [a, b, c] : mesh.triangles) {
-    least = std::min(least, least_sine(mesh.positions[a], mesh.positions[b], mesh.positions[c]));
+    const TriangleShape shape(mesh.positions[a], mesh.positions[b], mesh.positions[c]);
+    least = std::min(least, shape.least_sine());
   }
   return least;
 }
