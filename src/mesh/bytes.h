@@ -36,11 +36,18 @@ class ByteReader {
 
   template <typename Unsigned>
   Unsigned take_unsigned() {
+    // One loop for each order: compilers make one load of each.
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(bytes_[at_ + i]); };
     Unsigned value = 0;
-    for (std::size_t i = 0; i < sizeof(Unsigned); ++i) {
-      const std::size_t place = order_ == ByteOrder::kLittle ? i : sizeof(Unsigned) - 1 - i;
-      const auto byte = static_cast<unsigned char>(bytes_[at_ + i]);
-      value = static_cast<Unsigned>(value | static_cast<Unsigned>(byte) << (8 * place));
+    if (order_ == ByteOrder::kLittle) {
+      for (std::size_t i = 0; i < sizeof(Unsigned); ++i) {
+        value = static_cast<Unsigned>(value | static_cast<Unsigned>(byte(i)) << (8 * i));
+      }
+    } else {
+      for (std::size_t i = 0; i < sizeof(Unsigned); ++i) {
+        const std::size_t place = sizeof(Unsigned) - 1 - i;
+        value = static_cast<Unsigned>(value | static_cast<Unsigned>(byte(i)) << (8 * place));
+      }
     }
     at_ += sizeof(Unsigned);
     return value;

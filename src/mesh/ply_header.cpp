@@ -74,24 +74,6 @@ PlyElement read_element(TextScanner& scanner) {
 
 }  // namespace
 
-std::size_t ply_type_bytes(PlyType type) {
-  switch (type) {
-    case PlyType::kInt8:
-    case PlyType::kUint8:
-      return 1;
-    case PlyType::kInt16:
-    case PlyType::kUint16:
-      return 2;
-    case PlyType::kInt32:
-    case PlyType::kUint32:
-    case PlyType::kFloat32:
-      return 4;
-    case PlyType::kFloat64:
-      return 8;
-  }
-  return 0;
-}
-
 std::size_t PlyElement::find(std::string_view property) const {
   std::size_t i = 0;
   while (i < properties.size() && properties[i].name != property) ++i;

@@ -38,7 +38,23 @@ struct PlyHeader {
   std::size_t bytes = 0;  ///< where the data begin
 };
 
-std::size_t ply_type_bytes(PlyType type);
+constexpr std::size_t ply_type_bytes(PlyType type) {
+  switch (type) {
+    case PlyType::kInt8:
+    case PlyType::kUint8:
+      return 1;
+    case PlyType::kInt16:
+    case PlyType::kUint16:
+      return 2;
+    case PlyType::kInt32:
+    case PlyType::kUint32:
+    case PlyType::kFloat32:
+      return 4;
+    case PlyType::kFloat64:
+      return 8;
+  }
+  return 0;
+}
 
 /// Throws `kParseError` with the line.
 PlyHeader parse_ply_header(std::string_view bytes, std::string_view name);
