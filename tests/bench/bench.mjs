@@ -4,14 +4,15 @@
 // every result is judged by the same native program. Beside each result of meshoptimizer stand the
 // runs of `adaptive` that are at least as close to the input, by the largest distance and by the
 // root mean square. `npm run bench -- --compare COMMIT` times against another commit: compare.mjs.
-import { readFileSync, writeFileSync } from 'node:fs';
-import { extname, join } from 'node:path';
+import { writeFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { builders } from '../../scripts/build.mjs';
 import { run } from '../../scripts/run.mjs';
 import { ToleranceLadder } from './equal_error.mjs';
 import {
   buildTools,
   commandLine,
+  contentOf,
   measure,
   median,
   meshToMesh,
@@ -58,8 +59,7 @@ await withFolder(async (folder) => {
 });
 
 async function benchModel(file, folder) {
-  const bytes = readFileSync(file);
-  const format = extname(file).slice(1).toLowerCase();
+  const [bytes, format] = contentOf(file);
   const model = nameOf(file);
   let input;
   try {

@@ -55,6 +55,18 @@ export function commandLine(options) {
   return { ...values, positionals, models: [...(values.models ?? []), ...positionals] };
 }
 
+/** The file's text or bytes and its format, as `parseMesh` takes them. */
+export const contentOf = (file) => [readFileSync(file), extname(file).slice(1).toLowerCase()];
+
+/** Numbers from 0 to 1, the same in every run (Park and Miller 1988). */
+export function randomNumbers(seed) {
+  let state = seed;
+  return () => {
+    state = (state * 48271) % 2147483647;
+    return state / 2147483647;
+  };
+}
+
 export function median(values) {
   const sorted = [...values].sort((a, b) => a - b);
   return sorted[Math.floor(sorted.length / 2)];

@@ -2,23 +2,14 @@
 // A closed model is damaged and repaired: patches punched out, faces turned and doubled, triangles
 // torn apart. How far the result is from the intact model, in volume and in distance (fractions of
 // the volume and of the bounding-box diagonal).
-import { readFileSync, writeFileSync } from 'node:fs';
-import { extname, join } from 'node:path';
+import { writeFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { load } from '../../../dist/index.js';
-import { measure, nameOf, printTable } from '../shared.mjs';
+import { contentOf, measure, nameOf, printTable, randomNumbers } from '../shared.mjs';
 
 const models = ['armadillo_86k.ply'];
 const relativeTolerance = 0.002;
 const patchArea = 0.005;
-
-/** Numbers from 0 to 1, the same in every run (Park and Miller 1988). */
-function randomNumbers(seed) {
-  let state = seed;
-  return () => {
-    state = (state * 48271) % 2147483647;
-    return state / 2147483647;
-  };
-}
 
 const triangleCount = ({ indices }) => indices.length / 3;
 const corner = ({ positions, indices }, i) =>
@@ -98,7 +89,7 @@ export default async function damage({ tools, folder, find }) {
   const kdm = await load();
   const rows = [];
   for (const file of find(models)) {
-    const { positions, indices } = kdm.parseMesh(readFileSync(file), extname(file).slice(1));
+    const { positions, indices } = kdm.parseMesh(...contentOf(file));
     const intact = { positions, indices };
     const { volume, bounds } = kdm.describe(intact);
     const diagonal = Math.hypot(...bounds.max.map((x, i) => x - bounds.min[i]));

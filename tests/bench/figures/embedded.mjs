@@ -3,11 +3,11 @@
 // without area, thin triangles, further triangles, time of extraction. Holds where nothing crosses
 // on models that do not cross themselves and no triangle is without area. Crossings, areas and angles
 // are the judge's, if there is one.
-import { readFileSync, writeFileSync } from 'node:fs';
-import { extname, join } from 'node:path';
+import { writeFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { load } from '../../../dist/index.js';
 import { output } from '../../../scripts/run.mjs';
-import { closedModels, median, nameOf, printTable, sizes } from '../shared.mjs';
+import { closedModels, contentOf, median, nameOf, printTable, sizes } from '../shared.mjs';
 
 const repeat = 5;
 
@@ -15,7 +15,7 @@ export default async function embedded({ folder, judge, find }) {
   const kdm = await load();
   const rows = [];
   for (const file of find(closedModels)) {
-    const input = kdm.parseMesh(readFileSync(file), extname(file).slice(1).toLowerCase());
+    const input = kdm.parseMesh(...contentOf(file));
     for (const { name, options } of sizes) {
       const grid = kdm.buildGrid(input, options);
       const plain = extracted(kdm, grid, 'manifold', join(folder, 'plain.obj'), judge);

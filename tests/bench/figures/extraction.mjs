@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Extraction alone: triangles a second, natively and in WebAssembly, and the share of its phases
 // natively. Medians of five; nothing to hold.
-import { readFileSync } from 'node:fs';
-import { extname } from 'node:path';
 import { runWasm } from '../engines.mjs';
-import { closedModels, median, nameOf, native, printTable, sizes } from '../shared.mjs';
+import { closedModels, contentOf, median, nameOf, native, printTable, sizes } from '../shared.mjs';
 
 const phases = ['loops', 'vertices', 'faces'];
 const repeat = 5;
@@ -35,12 +33,11 @@ export default async function extraction({ tools, folder, find }) {
 }
 
 async function inWasm(file, options) {
-  const bytes = readFileSync(file);
-  const format = extname(file).slice(1).toLowerCase();
+  const content = contentOf(file);
   const seconds = [];
   let triangles = 0;
   for (let i = 0; i < repeat; ++i) {
-    const run = await runWasm(bytes, format, options);
+    const run = await runWasm(...content, options);
     seconds.push(extractionSeconds(run.seconds));
     triangles = run.mesh.indices.length / 3;
   }

@@ -8,7 +8,7 @@ import { spawnSync } from 'node:child_process';
 import { join } from 'node:path';
 import { builders } from '../../../scripts/build.mjs';
 import { root } from '../../../scripts/run.mjs';
-import { measure, printTable } from '../shared.mjs';
+import { measure, printTable, randomNumbers } from '../shared.mjs';
 
 const mostSeconds = 120;
 const refused = 2; // the exit status
@@ -31,8 +31,7 @@ const moved = (mesh, change) => ({ ...mesh, positions: mesh.positions.map((p) =>
 
 /** Triangles by themselves, each corner by `corner(triangle, random)`. */
 function triangles(count, corner) {
-  let state = 1;
-  const random = () => (state = (state * 48271) % 2147483647) / 2147483647;
+  const random = randomNumbers(1);
   const positions = [];
   for (let i = 0; i < count; ++i) {
     const middle = [random(), random(), random()];

@@ -3,11 +3,11 @@
 // figures.cpp. The two must agree byte for byte, and the judge must find each result 2-manifold.
 import { createHash } from 'node:crypto';
 import { readFileSync, writeFileSync } from 'node:fs';
-import { extname, join } from 'node:path';
+import { join } from 'node:path';
 import { load } from '../../../dist/index.js';
 import { output, tryRun } from '../../../scripts/run.mjs';
 import { runWasm } from '../engines.mjs';
-import { median, nameOf } from '../shared.mjs';
+import { contentOf, median, nameOf } from '../shared.mjs';
 
 export default async function manifold({ files, tools, folder, judge }) {
   const kdm = await load();
@@ -58,8 +58,7 @@ export default async function manifold({ files, tools, folder, judge }) {
   }
 
   function source(model) {
-    const file = files.find((path) => nameOf(path) === model);
-    return [readFileSync(file), extname(file).slice(1).toLowerCase()];
+    return contentOf(files.find((path) => nameOf(path) === model));
   }
 }
 

@@ -2,11 +2,11 @@
 // All pairing modes on closed models: each result must be closed, oriented and strictly 2-manifold.
 // The verdict is the library's own, and the judge's, if there is one. Only `trace` looks at the
 // input; how many parts and handles the others make is a figure, not a fault.
-import { readFileSync, writeFileSync } from 'node:fs';
-import { extname, join } from 'node:path';
+import { writeFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { load } from '../../../dist/index.js';
 import { output } from '../../../scripts/run.mjs';
-import { closedModels, nameOf, printTable, sizes } from '../shared.mjs';
+import { closedModels, contentOf, nameOf, printTable, sizes } from '../shared.mjs';
 
 const pairings = ['trace', 'hermite', 'inside', 'outside'];
 
@@ -14,7 +14,7 @@ export default async function pairing({ folder, judge, find }) {
   const kdm = await load();
   const rows = [];
   for (const file of find(closedModels)) {
-    const input = kdm.parseMesh(readFileSync(file), extname(file).slice(1).toLowerCase());
+    const input = kdm.parseMesh(...contentOf(file));
     for (const { name, options } of sizes) {
       const results = pairings.map((mode) => extracted(kdm, input, { ...options, pairing: mode }));
       rows.push(row(nameOf(file), name, results));

@@ -3,12 +3,12 @@
 // and, with `embedded`, without self-intersections. How far the input is from the result (what lies
 // within the solid cannot be near), and back (what closes holes cannot be either); beside
 // meshoptimizer's remesh at 128. Distances are fractions of the input's bounding-box diagonal.
-import { readFileSync, writeFileSync } from 'node:fs';
-import { extname, join } from 'node:path';
+import { writeFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { load } from '../../../dist/index.js';
 import { output } from '../../../scripts/run.mjs';
 import { meshoptimizer } from '../engines.mjs';
-import { measure, meshToMesh, nameOf, native, printTable } from '../shared.mjs';
+import { contentOf, measure, meshToMesh, nameOf, native, printTable } from '../shared.mjs';
 
 const setting = { strategy: 'adaptive', relativeTolerance: 0.002 };
 const remeshCells = 128;
@@ -19,7 +19,7 @@ export default async function repair({ files, tools, folder, judge }) {
   const rows = [];
   for (const file of files) {
     const run = native(tools, folder, file, setting, { repeat: 5 });
-    const mesh = kdm.parseMesh(readFileSync(file), extname(file).slice(1).toLowerCase());
+    const mesh = kdm.parseMesh(...contentOf(file));
     const started = performance.now();
     const grid = kdm.buildGrid(mesh, setting);
     const result = grid.extract({ strict: 'embedded' });
