@@ -47,6 +47,11 @@ constexpr double kThin = 1.0 / 16;
 // A bar reaches this much further to a side, at most, than its section with a face does, if it is
 // to be cut along that side's middle.
 constexpr double kLean = 2;
+// Edges between faces whose normals differ by more than this (45 degrees) are sharp.
+constexpr double kSharpCosine = 0.7071067811865476;
+// Hits that neighbours' splits add move a vertex a little: it keeps to a sharp edge by this part of
+// the tolerance.
+constexpr double kSharper = 0.9;
 // Above this many triangles a cell is split on the first sign of misfit even where shells may hide
 // others.
 constexpr std::size_t kMany = 64;
@@ -306,7 +311,7 @@ class AdaptiveRule : public SplitRule {
     for (const Plane& plane : rim_) {
       if (plane.distance(vertex) > tolerance_) return false;
     }
-    return near_piece(vertex, piece);
+    return near_piece(vertex, piece) && near_sharp_edge(vertex, box, piece);
   }
 
   // The planes through the piece's rim, and its centre.
@@ -332,6 +337,33 @@ class AdaptiveRule : public SplitRule {
       }
     }
     return false;
+  }
+
+  // Within the tolerance of both faces is not within it of the edge. Is the vertex near one of the
+  // piece's sharp edges, if it lies beside any?
+  bool near_sharp_edge(const Vec3& vertex, const LatticeBox& box, Index piece) const {
+    const double limit = kSharper * tolerance_;
+    const std::span<const Index> members = analysis_.members();
+    bool beside = false;
+    for (std::size_t m = 0; m < members.size(); ++m) {
+      if (!shows_in(m, piece)) continue;
+      const Index triangle = members[m];
+      for (int i = 0; i < 3; ++i) {
+        const Index twin = surface_.topology.twin[3 * triangle + static_cast<Index>(i)];
+        if (twin == kNone) continue;
+        const Vec3& normal = surface_.planes[triangle].normal;
+        if (normal.dot(surface_.planes[twin / 3].normal) >= kSharpCosine) continue;
+        const LatticePoint& a = surface_.triangles[triangle][i];
+        const LatticePoint& b = surface_.triangles[triangle][next_corner(i)];
+        if (!edge_meets_box(a, b, box)) continue;
+        const Vec3 along = real(b) - real(a);
+        const double foot = along.dot(vertex - real(a)) / along.squaredNorm();
+        if (foot < 0 || foot > 1) continue;
+        if ((real(a) + foot * along - vertex).squaredNorm() <= limit * limit) return true;
+        beside = true;
+      }
+    }
+    return !beside;
   }
 
   // Where the cell must be divided for the sake of topology.

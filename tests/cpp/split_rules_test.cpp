@@ -2,10 +2,12 @@
 // What each split strategy promises of the tree and of the result.
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <map>
 
+#include "geometry/distance.h"
 #include "geometry/predicates.h"
 #include "grid/grid_data.h"
 #include "grid/validate.h"
@@ -226,6 +228,42 @@ TEST(SplitRules, AdaptiveMeetsItsToleranceWithFewFaces) {
     }
     EXPECT_GT(out.triangles.size(), last);
     last = out.triangles.size();
+  }
+}
+
+// Near both faces of an edge is not near the edge. (The last rotation was 18 % off.)
+TEST(SplitRules, AdaptiveKeepsCurvedRimsWithinTheTolerance) {
+  constexpr int kSegments = 40;
+  for (const double turn : {1.3, 4.3, 7.3}) {
+    const Mesh drum = shapes::rotated(shapes::cylinder(1, 0.7, kSegments), Vec3(1, 2, 3), turn);
+    std::map<std::pair<Index, Index>, std::vector<Vec3>> normals;
+    for (const Triangle& t : drum.triangles) {
+      const Vec3& p = drum.positions[t[0]];
+      const Vec3 normal = (drum.positions[t[1]] - p).cross(drum.positions[t[2]] - p).normalized();
+      for (std::size_t i = 0; i < 3; ++i) {
+        normals[std::minmax(t[i], t[(i + 1) % 3])].push_back(normal);
+      }
+    }
+    for (const double tolerance : {0.05, 0.02, 0.008, 0.003}) {
+      const ExtractedMesh out = extract(build_grid(drum, {.tolerance = tolerance}));
+      int rims = 0;
+      for (const auto& [edge, sides] : normals) {
+        if (sides[0].dot(sides[1]) > 0.5) continue;
+        ++rims;
+        const Vec3& a = drum.positions[edge.first];
+        const Vec3& b = drum.positions[edge.second];
+        for (const double part : {0.0, 0.25, 0.5, 0.75}) {
+          const Vec3 point = a + part * (b - a);
+          double least = 1;
+          for (const Triangle& t : out.triangles) {
+            least = std::min(least, squared_distance(point, out.positions[t[0]],
+                                                     out.positions[t[1]], out.positions[t[2]]));
+          }
+          EXPECT_LE(std::sqrt(least), tolerance) << "turn " << turn;
+        }
+      }
+      EXPECT_EQ(rims, 2 * kSegments);
+    }
   }
 }
 
