@@ -21,6 +21,13 @@ constexpr double kSeen = 0.375;
 // How far a vertex keeps off the sides of its face at most, as a fraction of the face's size.
 constexpr double kPart = 1.0 / 64;
 
+// Planes that meet at more than this (45 degrees) make a sharp edge.
+constexpr double kSharpCosine = 0.7071067811865476;
+
+bool holds(const LinkFace& face, const Vec3& p) {
+  return (p.array() >= face.lo.array()).all() && (p.array() <= face.hi.array()).all();
+}
+
 // The side of the face that both hits lie on: its axis, or -1.
 int common_side(const LinkFace& face, const Vec3& p, const Vec3& q) {
   for (int i = 0; i < 3; ++i) {
@@ -170,29 +177,31 @@ Vec3 chord_point(const std::vector<Vec3>& points, const LinkFace& face, HitPair 
   return off_side(points, face, link, links, 0.5 * (points[link.hit] + points[link.other]));
 }
 
-Vec3 crease_point(const GridData& grid, const std::vector<Vec3>& points, const LinkFace& face,
-                  Index hit, Index other) {
-  const Vec3 middle = 0.5 * (points[hit] + points[other]);
-  PrimalQuadric quadric(middle);
-  quadric.add(grid.plane_of(hit));
-  quadric.add(grid.plane_of(other));
-  Vec3 crease = quadric.minimiser_in(face.lo, face.hi);
-  // Beyond both the hits and the face the planes say nothing: the surface bends both ways.
-  const Vec3 chord = points[other] - points[hit];
-  if (std::abs(chord.dot(crease - middle)) > 0.5 * chord.squaredNorm() && on_side(face, crease)) {
-    crease = middle;
-  }
-  return off_side(points, face, {hit, other}, {}, crease);
+namespace {
+
+// 1 where both hits lie behind each other's plane, as on a convex edge; -1 where both lie in front;
+// 0 where the surface is flat or bends both ways between them.
+int bend(const GridData& grid, const std::vector<Vec3>& points, HitPair link) {
+  const double first = grid.plane_of(link.other).signed_distance(points[link.hit]);
+  const double second = grid.plane_of(link.hit).signed_distance(points[link.other]);
+  if (!(first * second > 0)) return 0;
+  return first < 0 ? 1 : -1;
 }
+
+// Do the two hits' planes make an edge?
+bool is_sharp(const GridData& grid, const std::vector<Vec3>& points, HitPair link) {
+  const double cosine = grid.plane_of(link.hit).normal.dot(grid.plane_of(link.other).normal);
+  return cosine < kSharpCosine && bend(grid, points, link) != 0;
+}
+
+}  // namespace
 
 Vec3 behind_planes(const GridData& grid, const std::vector<Vec3>& points, HitPair link,
                    std::span<const Index> hits, double distance, const Vec3& crease) {
+  const int outwards = bend(grid, points, link);
+  if (outwards == 0) return crease;
   const Vec3& p = points[link.hit];
   const Vec3& q = points[link.other];
-  const double first = grid.plane_of(link.other).signed_distance(p);
-  const double second = grid.plane_of(link.hit).signed_distance(q);
-  if (!(first * second > 0)) return crease;  // flat, or bent both ways
-  const double outwards = first < 0 ? 1 : -1;
   const Vec3 middle = 0.5 * (p + q);
   double furthest = distance;
   Vec3 point = crease;
@@ -205,6 +214,30 @@ Vec3 behind_planes(const GridData& grid, const std::vector<Vec3>& points, HitPai
     point = crease + off / (off - beyond(middle)) * (middle - crease);
   }
   return point;
+}
+
+Vec3 crease_point(const GridData& grid, const std::vector<Vec3>& points, const LinkFace& face,
+                  HitPair link, std::span<const Index> hits, double distance) {
+  const Vec3 middle = 0.5 * (points[link.hit] + points[link.other]);
+  PrimalQuadric quadric(middle);
+  quadric.add(grid.plane_of(link.hit));
+  quadric.add(grid.plane_of(link.other));
+  if (is_sharp(grid, points, link)) {
+    // Where an edge lies outside of the face, a third plane may still cut it off within.
+    Vec3 around = Vec3::Constant(kLatticeSize);
+    around[face.axis] = 0;
+    const Vec3 edge = quadric.minimiser_in(face.lo - around, face.hi + around);
+    const Vec3 cut = behind_planes(grid, points, link, hits, distance, edge);
+    if (cut != edge && holds(face, cut)) return off_side(points, face, link, {}, cut);
+  }
+  Vec3 crease = quadric.minimiser_in(face.lo, face.hi);
+  // Beyond both the hits and the face the planes of no sharp edge say nothing: the surface is
+  // curved, or bends both ways.
+  const Vec3 chord = points[link.other] - points[link.hit];
+  const bool beyond = std::abs(chord.dot(crease - middle)) > 0.5 * chord.squaredNorm();
+  if (beyond && on_side(face, crease) && !is_sharp(grid, points, link)) crease = middle;
+  crease = behind_planes(grid, points, link, hits, distance, crease);
+  return off_side(points, face, link, {}, crease);
 }
 
 }  // namespace kdm

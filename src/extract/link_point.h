@@ -38,15 +38,14 @@ struct HitPair {
 Vec3 chord_point(const std::vector<Vec3>& points, const LinkFace& face, HitPair link,
                  const std::vector<HitPair>& links = {});
 
-/// Where the two hits' planes meet in the face, near the middle between them where they agree.
-/// Off their line like `chord_point`.
-Vec3 crease_point(const GridData& grid, const std::vector<Vec3>& points, const LinkFace& face,
-                  Index hit, Index other);
-
-/// The crease point, but drawn back to the plane of one of `hits` that cuts it off from the link's
-/// two by more than `distance`: there is a third face between them which none of the face's sides
-/// meets.
+/// The point, but drawn back to the plane of one of `hits` that cuts it off from the link's two by
+/// more than `distance`: there is a third face between them which none of the face's sides meets.
 Vec3 behind_planes(const GridData& grid, const std::vector<Vec3>& points, HitPair link,
                    std::span<const Index> hits, double distance, const Vec3& crease);
+
+/// Where the two hits' planes meet in the face, behind the planes of `hits`, near the middle
+/// between the two where they agree. Off their line like `chord_point`.
+Vec3 crease_point(const GridData& grid, const std::vector<Vec3>& points, const LinkFace& face,
+                  HitPair link, std::span<const Index> hits, double distance);
 
 }  // namespace kdm

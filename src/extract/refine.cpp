@@ -116,12 +116,12 @@ class Refinement {
       if (details_.plain != nullptr) links = links_beside(*details_.plain, half_edge);
       return chord_point(points_, face, {hit, other}, links);
     }
-    const Vec3 corner = crease_point(grid_, points_, face, hit, other);
+    const Vec3 corner = crease_point(grid_, points_, face, {hit, other}, {}, distance_);
     const bool wanted = detail == Detail::kFull || detail == Detail::kInside ||
                         misses(hit, corner, other, crossing);
     if (!wanted) return std::nullopt;
     find_hits_beside(half_edge, opposite);
-    return behind_planes(grid_, points_, {hit, other}, beside_, distance_, corner);
+    return crease_point(grid_, points_, face, {hit, other}, beside_, distance_);
   }
 
   // Of the loops on both sides of the link.

@@ -65,7 +65,7 @@ struct TwoHits {
                    {m.normalized(), m.normalized().dot(q)}};
     grid.hits = {Hit(0, 0, false, false), Hit(0, 1, false, false)};
   }
-  Vec3 crease() const { return crease_point(grid, points, face, 0, 1); }
+  Vec3 crease() const { return crease_point(grid, points, face, {0, 1}, {}, 0); }
   Vec3 chord() const { return chord_point(points, face, {0, 1}); }
 };
 
@@ -79,6 +79,21 @@ TEST(LinkPoint, IsWhereThePlanesMeet) {
   const TwoHits bent(Vec3(8, 0, 9), Vec3(0, -1, 1), Vec3(8, 1, 10), Vec3(0, -3, 1));
   EXPECT_TRUE((bent.crease().array() >= bent.face.lo.array()).all());
   EXPECT_TRUE((bent.crease().array() <= bent.face.hi.array()).all());
+}
+
+// A ridge just beyond the face, with one hit far higher than the other.
+TEST(LinkPoint, StaysAtASharpEdgeBeyondTheFace) {
+  const LinkFace face{Vec3(8, 0, 0), Vec3(8, 10, 40), 0};
+  TwoHits wedge(Vec3(8, 0, 14), Vec3(0, -1, 4), Vec3(8, 0, 0), Vec3(0, 1, -1));
+  const Vec3 beyond = crease_point(wedge.grid, wedge.points, face, {0, 1}, {}, 0);
+  EXPECT_EQ(beyond[1], 10) << "the planes meet at y = 18.7";
+  EXPECT_GT(beyond[2], 8) << "not halfway between the hits";
+  // A third plane, of a hit elsewhere, cuts the edge off within the face.
+  wedge.grid.planes.push_back({Vec3(0, 1, 0), 7});
+  wedge.grid.hits.push_back(Hit(0, 2, false, false));
+  const Vec3 cut = crease_point(wedge.grid, wedge.points, face, {0, 1}, std::vector<Index>{2}, 0.5);
+  EXPECT_NEAR(cut[1], 7, 1e-9);
+  EXPECT_GT(cut[2], 8);
 }
 
 // A roof whose ridge is cut flat where no side of the face meets it.
