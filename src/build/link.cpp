@@ -35,8 +35,8 @@ class Linking {
     }
     collect_outline(grid_, face, outline_);
     const auto count = static_cast<Index>(outline_.size());
-    const auto one_way = std::count_if(outline_.begin(), outline_.end(),
-                                       [](const OutlineHit& h) { return h.starts_below; });
+    const auto one_way = static_cast<Index>(std::count_if(
+        outline_.begin(), outline_.end(), [](const OutlineHit& h) { return h.starts_below; }));
     // Checked in release builds too: nothing sound can follow.
     if (2 * one_way != count) {
       throw Error(ErrorCode::kInternal, "hits round a minimal face have no partners");
