@@ -6,19 +6,10 @@
 #include <array>
 #include <cmath>
 
+#include "geometry/angle.h"
 #include "kdmanifold/types.h"
 
 namespace kdm {
-
-/// The arc tangent by square roots and a series, within 1e-14.
-inline double arc_tangent(double x) {
-  // Two halvings of the angle bring |x| below tan(pi / 8) / 2.
-  for (int i = 0; i < 2; ++i) x /= 1.0 + std::sqrt(1.0 + x * x);
-  const double square = x * x;
-  double sum = 0;
-  for (int k = 19; k >= 1; k -= 2) sum = 1.0 / k - square * sum;
-  return 4.0 * x * sum;
-}
 
 /// Adds up angles given as directions in the plane, by multiplying these as complex numbers: one
 /// arc tangent at the end, however many there are.
