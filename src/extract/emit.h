@@ -2,15 +2,10 @@
 // From the dual mesh to the mesh that is handed out.
 #pragma once
 
-#include "extract/dual_mesh.h"
+#include "extract/dual/dual_mesh.h"
 #include "kdmanifold/mesh.h"
 
 namespace kdm {
-
-/// A point in model units as it is handed out in 32 bits.
-inline Vec3 single_precision(const Lattice& lattice, const Vec3& point) {
-  return lattice.to_model(point).cast<float>().cast<double>();
-}
 
 /// The mesh in model units, without dropped triangles and vertices. `quads`: two triangles beside a
 /// strip become one quad. `single`: coordinates are rounded to 32 bits. `normals` are those of the

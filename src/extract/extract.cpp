@@ -8,18 +8,18 @@
 #include <initializer_list>
 #include <new>
 
-#include "extract/dual_mesh.h"
-#include "extract/embed.h"
+#include "extract/dual/dual_mesh.h"
+#include "extract/embed/embed.h"
+#include "extract/embed/layers.h"
 #include "extract/emit.h"
 #include "extract/keep_parts.h"
-#include "extract/layers.h"
-#include "extract/normals.h"
-#include "extract/place.h"
-#include "extract/refine.h"
-#include "extract/slivers.h"
-#include "extract/split_vertices.h"
-#include "extract/strict.h"
-#include "extract/unfold.h"
+#include "extract/mend/slivers.h"
+#include "extract/mend/strict.h"
+#include "extract/mend/unfold.h"
+#include "extract/place/normals.h"
+#include "extract/place/place.h"
+#include "extract/place/refine.h"
+#include "extract/place/split_vertices.h"
 #include "kdmanifold/error.h"
 #include "mesh/boundary_loops.h"
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analyze/nesting.h"
 #include "mesh/disjoint_sets.h"
 #include "mesh/measure.h"
-#include "mesh/nesting.h"
 #include "mesh/polygons.h"
 #include "mesh/scale.h"
 

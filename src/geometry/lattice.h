@@ -100,4 +100,9 @@ inline Lattice lattice_over(const Box& bounds) {
   }
 }
 
+/// A point in model units as it is handed out in 32 bits.
+inline Vec3 single_precision(const Lattice& lattice, const Vec3& point) {
+  return lattice.to_model(point).cast<float>().cast<double>();
+}
+
 }  // namespace kdm

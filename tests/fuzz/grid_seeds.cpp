@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "grid_seeds.h"
 
-#include "grid/grid_format.h"
+#include "grid/saved/grid_format.h"
 #include "kdmanifold/kdmanifold.h"
 #include "support/sheets.h"
 

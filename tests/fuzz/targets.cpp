@@ -9,10 +9,10 @@
 #include <utility>
 
 #include "grid/grid_data.h"
-#include "grid/grid_format.h"
+#include "grid/saved/grid_format.h"
 #include "grid/validate.h"
+#include "io/bytes.h"
 #include "kdmanifold/kdmanifold.h"
-#include "mesh/bytes.h"
 #include "support/mesh_check.h"
 #include "support/random_meshes.h"
 

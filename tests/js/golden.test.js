@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// WebAssembly gives the same bytes as the native library: the hashes of tests/cpp/golden_test.cpp.
+// WebAssembly gives the same bytes as the native library: the hashes of tests/cpp/whole/golden_test.cpp.
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { load } from '../../dist/index.js';

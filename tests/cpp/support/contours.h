@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "extract/box_surface.h"
+#include "extract/embed/box_surface.h"
 
 namespace kdm::check {
 

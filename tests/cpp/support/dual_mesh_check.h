@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "extract/dual_mesh.h"
+#include "extract/dual/dual_mesh.h"
 
 namespace kdm::check {
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "extract/dual_mesh.h"
+#include "extract/dual/dual_mesh.h"
 #include "kdmanifold/mesh.h"
 
 namespace kdm::shapes {

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+// Mesh -> grid: prepare, construct, link.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <new>
+
+#include "construct/construct.h"
+#include "kdmanifold/build.h"
+#include "kdmanifold/error.h"
+#include "kdmanifold/thicken.h"
+#include "link/corners.h"
+#include "link/link.h"
+#include "link/used_planes.h"
+#include "prepare/surface.h"
+
+namespace kdm {
+namespace {
+
+constexpr double kUsualTolerance = BuildOptions().relative_tolerance;
+
+void check_options(const BuildOptions& options) {
+  if (options.depth < 0 || options.depth > kMaxDepth) {
+    throw Error(ErrorCode::kInvalidOption,
+                fmt::format("depth is {}; it must be from 1 to {}, or 0 for the strategy's own",
+                            options.depth, kMaxDepth));
+  }
+  const auto check = [](const char* name, double value) {
+    if (!(value >= 0 && std::isfinite(value))) {
+      throw Error(ErrorCode::kInvalidOption,
+                  fmt::format("{} is {}; it must be a number that is not negative", name, value));
+    }
+  };
+  check("tolerance", options.tolerance);
+  check("relative_tolerance", options.relative_tolerance);
+  check("thicken", options.thicken);
+  check("largest_hole", options.largest_hole);
+  if (!(options.winding_threshold >= 0 && options.winding_threshold < 1)) {
+    throw Error(ErrorCode::kInvalidOption,
+                fmt::format("winding_threshold is {}; it must be at least 0 and below 1",
+                            options.winding_threshold));
+  }
+}
+
+// A shell whose sides round to the same places has no inside.
+void check_thickness(double thickness, double step) {
+  constexpr double kLeast = 4;
+  if (thickness == 0 || thickness >= kLeast * step) return;
+  throw Error(ErrorCode::kInvalidOption,
+              fmt::format("thicken is {}; for a model of this size it must be {} at least, a "
+                          "millionth of its extent",
+                          thickness, kLeast * step));
+}
+
+int depth_limit(const BuildOptions& options) {
+  constexpr int kUniformDepth = 18;
+  if (options.depth != 0) return options.depth;
+  return options.strategy == SplitStrategy::kUniform ? kUniformDepth : kMaxDepth;
+}
+
+void report(const Progress& progress, double fraction, std::string_view phase) {
+  if (progress && !progress(fraction, phase)) {
+    throw Error(ErrorCode::kAborted, "stopped by the progress callback");
+  }
+}
+
+}  // namespace
+
+Grid build_grid(const Mesh& mesh, const BuildOptions& options, const Progress& progress) try {
+  check_options(options);
+  report(progress, 0.0, "prepare");
+  Surface surface = options.thicken > 0 ? prepare_surface(thicken(mesh, options.thicken), options)
+                                        : prepare_surface(mesh, options);
+  check_thickness(options.thicken, surface.lattice.step);
+  auto grid = std::make_unique<GridData>();
+  grid->sheet = surface.sheet;
+  grid->lattice = surface.lattice;
+  grid->input = surface.report;
+  report(progress, 0.1, "build");
+  const Progress within = [&](double fraction, std::string_view phase) {
+    return progress(0.1 + 0.7 * fraction, phase);
+  };
+  const double tolerance = construct_cells(
+      surface, options, tolerance_of(options, surface.diagonal) / surface.lattice.step,
+      depth_limit(options), progress ? within : Progress(), *grid);
+  grid->tolerance =
+      tolerance > 0 ? tolerance : kUsualTolerance * surface.diagonal / surface.lattice.step;
+  grid->stats.tolerance = grid->tolerance * surface.lattice.step;
+  report(progress, 0.8, "link");
+  if (surface.repair && grid->hits.empty()) {
+    throw Error(ErrorCode::kNotClosed,
+                "the surface encloses nothing: it is open, and no point lies behind it on most "
+                "sides; thicken it, or take it as a sheet");
+  }
+  grid->planes = std::move(surface.planes);
+  grid->source_faces = std::move(surface.source_faces);
+  link_half_edges(surface, options.pairing, *grid);
+  keep_corners(surface, *grid);
+  keep_used_planes(surface, *grid);
+  grid->stats.cells = static_cast<Index>(grid->cells.size());
+  grid->stats.leaves = static_cast<Index>(grid->cells.size() - grid->cells.size() / 2);
+  grid->stats.hits = static_cast<Index>(grid->hits.size());
+  grid->stats.invented_hits = count_invented_hits(*grid);
+  grid->stats.topology_resolved =
+      grid->stats.topology_resolved && grid->stats.guessed_faces == 0 && !surface.repair;
+  grid->stats.sheet = grid->sheet;
+  grid->stats.bytes = grid->bytes();
+  report(progress, 1.0, "link");
+  return Grid(std::move(grid));
+} catch (const std::bad_alloc&) {
+  throw Error(ErrorCode::kOutOfMemory, "there is not enough memory to build the grid");
+}
+
+}  // namespace kdm

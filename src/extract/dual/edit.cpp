@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+// New vertices on the edges and in the triangles of a dual mesh.
+#include "extract/dual/edit.h"
+
+#include <numeric>
+
+namespace kdm {
+namespace {
+
+Index add_vertex(const Vec3& position, DualMesh& mesh) {
+  mesh.position.push_back(position);
+  mesh.leaf.push_back(kNone);
+  return static_cast<Index>(mesh.leaf.size() - 1);
+}
+
+}  // namespace
+
+Index divide_edge(Index ab, const Vec3& position, DualMesh& mesh) {
+  const Index ba = mesh.opposite[ab];
+  const Index bc = next_in_triangle(ab);
+  const Index ad = next_in_triangle(ba);
+  const Index a = mesh.vertex[ab];
+  const Index b = mesh.vertex[ba];
+  const Index c = mesh.vertex[previous_in_triangle(ab)];
+  const Index d = mesh.vertex[previous_in_triangle(ba)];
+  const Index m = add_vertex(position, mesh);
+  const Index mbc = mesh.add_triangle(mesh.hit[ab / 3], m, b, c);
+  const Index mad = mesh.add_triangle(mesh.hit[ba / 3], m, a, d);
+  mesh.link(mbc + 1, mesh.opposite[bc]);
+  mesh.link(mad + 1, mesh.opposite[ad]);
+  mesh.link(mbc, ba);
+  mesh.link(mad, ab);
+  mesh.link(mbc + 2, bc);  // bc becomes m -> c
+  mesh.link(mad + 2, ad);
+  mesh.vertex[bc] = m;
+  mesh.vertex[ad] = m;
+  mesh.first.push_back(bc);
+  // Vertices a and b may have been entered by half-edges that start elsewhere now.
+  if (mesh.first[b] == bc) mesh.first[b] = mbc + 1;
+  if (mesh.first[a] == ad) mesh.first[a] = mad + 1;
+  if (mesh.open) {  // edges b-c and a-d may be boundary
+    mesh.set_first(c, mbc + 2);
+    mesh.set_first(d, mad + 2);
+  }
+  mesh.strip[ab / 3] = mesh.strip[ba / 3] = 0;
+  return m;
+}
+
+Index divide_boundary(Index ab, const Vec3& position, DualMesh& mesh) {
+  const Index bc = next_in_triangle(ab);
+  const Index b = mesh.vertex[bc];
+  const Index c = mesh.vertex[previous_in_triangle(ab)];
+  const Index m = add_vertex(position, mesh);
+  const Index mbc = mesh.add_triangle(mesh.hit[ab / 3], m, b, c);
+  mesh.link(mbc + 1, mesh.opposite[bc]);
+  mesh.link(mbc + 2, bc);  // bc becomes m -> c
+  mesh.vertex[bc] = m;
+  mesh.first.push_back(bc);
+  mesh.first[b] = mbc + 1;
+  mesh.set_first(c, mbc + 2);
+  mesh.strip[ab / 3] = 0;
+  return m;
+}
+
+Index divide_triangle(Index triangle, const Vec3& position, DualMesh& mesh) {
+  const Index ab = 3 * triangle;
+  const Index a = mesh.vertex[ab];
+  const Index b = mesh.vertex[ab + 1];
+  const Index c = mesh.vertex[ab + 2];
+  const Index m = add_vertex(position, mesh);
+  const Index bcm = mesh.add_triangle(mesh.hit[triangle], b, c, m);
+  const Index cam = mesh.add_triangle(mesh.hit[triangle], c, a, m);
+  mesh.link(bcm, mesh.opposite[ab + 1]);
+  mesh.link(cam, mesh.opposite[ab + 2]);
+  mesh.link(ab + 1, bcm + 2);
+  mesh.link(bcm + 1, cam + 2);
+  mesh.link(cam + 1, ab + 2);
+  mesh.vertex[ab + 2] = m;
+  mesh.first.push_back(ab + 2);
+  if (mesh.first[c] == ab + 2) mesh.first[c] = cam;
+  if (mesh.open) {
+    mesh.set_first(a, ab);
+    mesh.set_first(b, ab + 1);
+    mesh.set_first(c, cam);
+  }
+  mesh.strip[triangle] = 0;
+  return m;
+}
+
+Division::Division(DualMesh& mesh) : mesh_(mesh), where_(mesh.vertex.size()) {
+  std::iota(where_.begin(), where_.end(), 0u);
+  origin_ = where_;
+}
+
+void Division::triangle(Index triangle, const Vec3& position) {
+  divide_triangle(triangle, position, mesh_);
+  for (const Index half_edge : {3 * triangle + 1, 3 * triangle + 2}) {
+    const Index beside = mesh_.opposite[half_edge];  // within the triangle that took its edge
+    moved(half_edge, beside - beside % 3);
+  }
+}
+
+void Division::edge(Index half_edge, const Vec3& position) {
+  const Index ab = where_[half_edge];
+  const Index ba = mesh_.opposite[ab];
+  divide_edge(ab, position, mesh_);
+  moved(next_in_triangle(ab), next_in_triangle(mesh_.opposite[ba]));
+  moved(next_in_triangle(ba), next_in_triangle(mesh_.opposite[ab]));
+}
+
+void Division::moved(Index from, Index to) {
+  origin_.resize(mesh_.vertex.size(), kNone);
+  const Index origin = origin_[from];
+  origin_[from] = kNone;
+  origin_[to] = origin;
+  if (origin != kNone) where_[origin] = to;
+}
+
+}  // namespace kdm

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+// From linked half-edges to loops.
+#include "extract/dual/dual_mesh.h"
+#include "geometry/assert.h"
+
+namespace kdm {
+namespace {
+
+// The triangle that lies beyond all three sides but `except`, or kNone.
+Index only_neighbour(const DualMesh& mesh, Index triangle, Index except) {
+  Index neighbour = kNone;
+  for (Index i = 0; i < 3; ++i) {
+    if (i == except) continue;
+    const Index beyond = mesh.opposite[3 * triangle + i];
+    if (beyond == kNone) return kNone;
+    const Index other = beyond / 3;
+    if (neighbour != kNone && other != neighbour) return kNone;
+    neighbour = other;
+  }
+  return neighbour;
+}
+
+}  // namespace
+
+Index DualMesh::add_triangle(Index of_hit, Index a, Index b, Index c) {
+  const auto first_half_edge = static_cast<Index>(vertex.size());
+  vertex.insert(vertex.end(), {a, b, c});
+  opposite.insert(opposite.end(), 3, kNone);
+  hit.push_back(of_hit);
+  strip.push_back(0);
+  return first_half_edge;
+}
+
+void DualMesh::set_first(Index v, Index half_edge) {
+  first[v] = half_edge;
+  if (!open) return;
+  for (Index h = half_edge;;) {
+    const Index behind = opposite[previous_in_triangle(h)];
+    if (behind == half_edge) return;  // a ring
+    if (behind == kNone) {
+      first[v] = h;
+      return;
+    }
+    h = behind;
+  }
+}
+
+DualMesh dual_mesh_of(const GridData& grid) {
+  DualMesh mesh;
+  const auto triangles = static_cast<Index>(grid.hits.size());
+  mesh.opposite.resize(3 * grid.hits.size());
+  mesh.vertex.assign(3 * grid.hits.size(), 0);
+  mesh.hit.resize(triangles);
+  mesh.strip.assign(triangles, 0);
+  mesh.edited.assign(triangles, 0);
+  mesh.through.assign(triangles, 0);
+  for (Index t = 0; t < triangles; ++t) {
+    mesh.hit[t] = t;
+    const bool reversed = grid.hits[t].reversed();
+    for (Index slot = 0; slot < 3; ++slot) {
+      const Index place = place_of_slot(slot, reversed);
+      const Index other = grid.opposite[3 * t + slot];
+      KDM_ASSERT(other != kNone || grid.sheet, "every half-edge of a solid is linked");
+      if (other == kNone) {
+        mesh.opposite[3 * t + place] = kNone;
+        mesh.open = true;
+      } else {
+        const Index other_hit = other / 3;
+        mesh.opposite[3 * t + place] =
+            3 * other_hit + place_of_slot(other % 3, grid.hits[other_hit].reversed());
+      }
+      mesh.vertex[3 * t + place] = grid.start_leaf(3 * t + slot);
+      if (grid.crosses_strip(3 * t + slot)) {
+        mesh.strip[t] = static_cast<char>(mesh.strip[t] | 1 << place);
+      }
+    }
+  }
+  return mesh;
+}
+
+void drop_pillows(DualMesh& mesh) {
+  const auto drop = [&](Index triangle) {
+    for (Index i = 0; i < 3; ++i) mesh.vertex[3 * triangle + i] = kNone;
+  };
+  for (Index t = 0; t < mesh.triangles(); ++t) {
+    if (mesh.dropped(t)) continue;
+    const Index other = only_neighbour(mesh, t, 3);
+    if (other != kNone && other != t) {
+      drop(t);
+      drop(other);
+      ++mesh.dropped_pillows;
+      continue;
+    }
+    if (mesh.strip[t] == 0) continue;
+    // Two quads back to back: t and its partner across the strip, and the same behind them.
+    const Index side = mesh.strip[t] & 1 ? 0 : (mesh.strip[t] & 2 ? 1 : 2);
+    const Index behind = only_neighbour(mesh, t, side);
+    if (behind == kNone || behind == t || mesh.strip[behind] == 0) continue;
+    const Index behind_side = mesh.strip[behind] & 1 ? 0 : (mesh.strip[behind] & 2 ? 1 : 2);
+    if (only_neighbour(mesh, behind, behind_side) != t) continue;
+    const Index partner = mesh.opposite[3 * t + side] / 3;
+    const Index behind_partner = mesh.opposite[3 * behind + behind_side] / 3;
+    const Index partner_side = mesh.opposite[3 * t + side] % 3;
+    const Index behind_partner_side = mesh.opposite[3 * behind + behind_side] % 3;
+    if (only_neighbour(mesh, partner, partner_side) != behind_partner ||
+        only_neighbour(mesh, behind_partner, behind_partner_side) != partner) {
+      continue;
+    }
+    for (const Index triangle : {t, partner, behind, behind_partner}) drop(triangle);
+    ++mesh.dropped_pillows;
+  }
+}
+
+void find_loops(const GridData& grid, DualMesh& mesh) {
+  // `vertex` holds leaves until a loop overwrites them with its number, marked by the top bit.
+  constexpr Index kFound = 1u << 31;
+  KDM_ASSERT(grid.cells.size() < kFound, "cell numbers leave a bit free");
+  static_cast<void>(grid);
+  mesh.first.reserve(mesh.opposite.size() / 6);
+  mesh.leaf.reserve(mesh.opposite.size() / 6);
+  for (Index start = 0; start < mesh.opposite.size(); ++start) {
+    if (mesh.vertex[start] & kFound) continue;  // found, or dropped
+    const Index leaf = mesh.vertex[start];
+    const Index loop = static_cast<Index>(mesh.first.size()) | kFound;
+    mesh.first.push_back(start);
+    mesh.leaf.push_back(leaf);
+    if (mesh.open) mesh.set_first(static_cast<Index>(mesh.first.size() - 1), start);
+    const Index first = mesh.first.back();
+    Index half_edge = first;
+    do {
+      KDM_ASSERT(mesh.vertex[half_edge] == leaf, "a loop stays in one leaf");
+      mesh.vertex[half_edge] = loop;
+      half_edge = mesh.turn(half_edge);
+    } while (half_edge != first && half_edge != kNone);
+  }
+  for (Index& vertex : mesh.vertex) {
+    if (vertex != kNone) vertex &= ~kFound;
+  }
+}
+
+void find_beside(const GridData& grid, DualMesh& mesh) {
+  mesh.beside.resize(mesh.first.size());
+  std::vector<Index> last(grid.cells.size(), kNone);  // of each leaf
+  for (Index v = 0; v < mesh.beside.size(); ++v) {
+    Index& before = last[mesh.leaf[v]];
+    mesh.beside[v] = before == kNone ? v : mesh.beside[before];
+    if (before != kNone) mesh.beside[before] = v;
+    before = v;
+  }
+}
+
+}  // namespace kdm

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+// A result that does not meet itself.
+//
+// Fully refined, every hit is a vertex, every link one within its face, every loop one within its
+// leaf, and each triangle (hit, link, loop) lies in one leaf: the surface in a leaf is the fan of
+// an inner point over a closed curve on the leaf's sides. The idea goes back to T. Ju and T.
+// Udeshi, Intersection-free contouring on an octree grid, 2006. That takes six triangles a hit, so
+// it is done only where the plain mesh fails; each round adds detail, and full detail bounds them.
+#include "extract/embed/embed.h"
+
+#include <algorithm>
+
+#include "extract/embed/clashes.h"
+
+namespace kdm {
+namespace {
+
+class Rounds {
+ public:
+  Rounds(const GridData& grid, const std::vector<LatticeBox>& boxes,
+         const std::vector<Vec3>& points, double margin, const EmbedSteps& steps, DualMesh& loops,
+         DualMesh& mesh)
+      : grid_(grid), boxes_(boxes), points_(points), steps_(steps), loops_(loops), mesh_(mesh) {
+    details_.hits.assign(grid.hits.size(), Detail::kPlain);
+    details_.loops.assign(loops.first.size(), Detail::kPlain);
+    details_.margin = margin;
+    details_.plain = &loops_;
+    find_beside(grid, loops_);
+  }
+
+  Embedding run() {
+    round_positions(loops_, 0);
+    mesh_.position = loops_.position;
+    steps_.make(details_, nullptr, mesh_);
+    round_positions(mesh_, loops_.first.size());
+    Clashes clashes(grid_, boxes_, points_, loops_);
+    clashes.find(mesh_);
+    int round = 0;
+    for (;;) {
+      const std::vector<Index> faulty = clashes.triangles();
+      if (faulty.empty() || !add(faulty)) break;
+      steps_.report(++round);
+      clashes.find_again(mesh_, remake());
+    }
+    Embedding result;
+    result.crossings = clashes.pairs();
+    result.refined_hits =
+        static_cast<Index>(std::count_if(details_.hits.begin(), details_.hits.end(),
+                                         [](Detail detail) { return detail != Detail::kPlain; }));
+    return result;
+  }
+
+ private:
+  // Adds detail to the hits of these triangles and to their loops; false if there is none to add.
+  bool add(const std::vector<Index>& triangles) {
+    around_.clear();
+    std::vector<Index> hits;
+    std::vector<Index> crowded;
+    for (const Index t : triangles) {
+      if (details_.hits[mesh_.hit[t]] < Detail::kCentred) {
+        hits.push_back(mesh_.hit[t]);
+      } else {
+        find_crowded(t, crowded);
+      }
+    }
+    std::sort(hits.begin(), hits.end());
+    hits.erase(std::unique(hits.begin(), hits.end()), hits.end());
+    for (const Index hit : hits) raise(hit, more(details_.hits[hit]));
+    for (const Index v : crowded) draw_inwards(v);
+    return !around_.empty();
+  }
+
+  // Gives the hit and its loops at least this detail.
+  void raise(Index hit, Detail detail) {
+    if (details_.hits[hit] < detail) {
+      details_.hits[hit] = detail;
+      around_.push_back(hit);
+    }
+    for (int i = 0; i < 3; ++i) {
+      const Index v = loops_.vertex[3 * hit + i];
+      if (details_.loops[v] >= detail) continue;
+      details_.loops[v] = detail;
+      steps_.move(loops_, v, detail);
+      loops_.position[v] = rounded(loops_.position[v]);
+      add_ring(v);
+    }
+  }
+
+  // The loop that the triangle is round, if there are others in its leaf.
+  void find_crowded(Index triangle, std::vector<Index>& crowded) const {
+    for (Index h = 3 * triangle; h < 3 * triangle + 3; ++h) {
+      const Index v = mesh_.vertex[h];
+      if (v < loops_.first.size() && loops_.beside[v] != v) crowded.push_back(v);
+    }
+  }
+
+  // Has this loop and the others of its leaf drawn inwards.
+  void draw_inwards(Index v) {
+    if (details_.loops[v] == Detail::kLayered) return;
+    Index loop = v;
+    do {
+      for_each_hit(loop, [&](Index hit) { raise(hit, Detail::kCentred); });
+      details_.loops[loop] = Detail::kLayered;
+      add_ring(loop);
+      loop = loops_.beside[loop];
+    } while (loop != v);
+  }
+
+  void add_ring(Index v) {
+    for_each_hit(v, [this](Index hit) { around_.push_back(hit); });
+  }
+
+  template <typename Visit>
+  void for_each_hit(Index v, const Visit& visit) const {
+    Index half_edge = loops_.first[v];
+    do {
+      visit(half_edge / 3);
+      half_edge = loops_.turn(half_edge);
+    } while (half_edge != loops_.first[v] && half_edge != kNone);
+  }
+
+  // Returns the hits whose triangles may have changed.
+  std::vector<Index> remake() {
+    mesh_.touched.clear();
+    const std::size_t vertices = mesh_.first.size();
+    Restored part = restore(loops_, around_, mesh_);
+    steps_.make(details_, &part, mesh_);
+    round_positions(mesh_, vertices);
+    for (const Index v : part.loops) mesh_.position[v] = rounded(mesh_.position[v]);
+    std::vector<Index> changed = std::move(part.hits);
+    changed.insert(changed.end(), mesh_.touched.begin(), mesh_.touched.end());
+    std::sort(changed.begin(), changed.end());
+    changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+    return changed;
+  }
+
+  void round_positions(DualMesh& mesh, std::size_t first) const {
+    for (std::size_t v = first; v < mesh.position.size(); ++v) {
+      mesh.position[v] = rounded(mesh.position[v]);
+    }
+  }
+
+  Vec3 rounded(const Vec3& position) const {
+    return grid_.lattice.to_lattice(single_precision(grid_.lattice, position));
+  }
+
+  static Detail more(Detail detail) {
+    return detail == Detail::kCentred ? detail : static_cast<Detail>(static_cast<int>(detail) + 1);
+  }
+
+  const GridData& grid_;
+  const std::vector<LatticeBox>& boxes_;
+  const std::vector<Vec3>& points_;
+  const EmbedSteps& steps_;
+  DualMesh& loops_;
+  DualMesh& mesh_;
+  Details details_;
+  std::vector<Index> around_;  // hits to be made again
+};
+
+}  // namespace
+
+Embedding embed(const GridData& grid, const std::vector<LatticeBox>& boxes,
+                const std::vector<Vec3>& points, double margin, const EmbedSteps& steps,
+                DualMesh& loops, DualMesh& mesh) {
+  return Rounds(grid, boxes, points, margin, steps, loops, mesh).run();
+}
+
+}  // namespace kdm

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// A result that does not meet itself.
+#pragma once
+
+#include <functional>
+
+#include "extract/dual/detail.h"
+#include "extract/embed/restore.h"
+
+namespace kdm {
+
+/// What `embed` did and what it left.
+struct Embedding {
+  Index refined_hits = 0;       ///< that got a vertex
+  std::uint64_t crossings = 0;  ///< pairs of triangles that still cross or touch
+};
+
+/// How `embed` has the mesh changed.
+struct EmbedSteps {
+  /// Moves a loop's vertex as this detail asks for, in `loops`.
+  std::function<void(DualMesh& loops, Index loop, Detail detail)> move;
+  /// Does to the part, in which the mesh is as the loops are, what the details ask for. Without a
+  /// part: to all.
+  std::function<void(const Details& details, const Restored* part, DualMesh& mesh)> make;
+  /// Called before every round.
+  std::function<void(int round)> report;
+};
+
+/// Makes the mesh, and parts of it again and again with more detail, wherever its triangles cross,
+/// touch or have no area, until none do or there is nothing left to add. `loops` is the mesh with
+/// its loops found, `mesh` a copy. All coordinates are rounded to what 32 bits in model units hold.
+Embedding embed(const GridData& grid, const std::vector<LatticeBox>& boxes,
+                const std::vector<Vec3>& points, double margin, const EmbedSteps& steps,
+                DualMesh& loops, DualMesh& mesh);
+
+}  // namespace kdm

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// From manifold half-edges to a manifold index mesh.
+#include "extract/mend/strict.h"
+
+#include <algorithm>
+
+#include "extract/dual/edit.h"
+#include "geometry/assert.h"
+
+namespace kdm {
+namespace {
+
+class Separation {
+ public:
+  Separation(const std::vector<Vec3>& hit_points, DualMesh& mesh)
+      : hit_points_(hit_points), mesh_(mesh) {}
+
+  Index run(const std::vector<Index>* vertices) {
+    const auto loops = static_cast<Index>(mesh_.first.size());
+    if (vertices != nullptr) {
+      for (const Index v : *vertices) collect_doubles(v, 0);
+    } else {
+      for (Index v = 0; v < loops; ++v) collect_doubles(v, v + 1);
+    }
+    while (!doubles_.empty()) {
+      const auto [from, to] = doubles_.back();
+      const Index half_edge = second_half_edge(from, to);
+      if (half_edge == kNone) {
+        doubles_.pop_back();
+      } else {
+        insert_vertex(half_edge);
+      }
+    }
+    return static_cast<Index>(mesh_.first.size()) - loops;
+  }
+
+ private:
+  // Vertices from `least` on that several half-edges of v's ring go to.
+  void collect_doubles(Index v, Index least) {
+    ring_.clear();
+    const Index first = mesh_.first[v];
+    Index half_edge = first;
+    do {
+      const Index to = mesh_.vertex[next_in_triangle(half_edge)];
+      if (to >= least) ring_.push_back(to);
+      half_edge = mesh_.turn(half_edge);
+    } while (half_edge != first && half_edge != kNone);
+    if (half_edge == kNone && start_into(v) >= least) ring_.push_back(start_into(v));
+    constexpr std::size_t kShort = 12;
+    if (ring_.size() <= kShort) {
+      bool doubled = false;
+      for (std::size_t i = 1; i < ring_.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) doubled |= ring_[i] == ring_[j];
+      }
+      if (!doubled) return;
+    }
+    std::sort(ring_.begin(), ring_.end());
+    for (std::size_t i = 1; i < ring_.size(); ++i) {
+      if (ring_[i] == ring_[i - 1]) doubles_.emplace_back(v, ring_[i]);
+    }
+  }
+
+  // Inserting a vertex moves half-edges about, so doubles are kept as pairs and looked up again.
+  Index second_half_edge(Index from, Index to) const {
+    const Index first = mesh_.first[from];
+    Index half_edge = first;
+    int found = 0;
+    do {
+      if (mesh_.vertex[next_in_triangle(half_edge)] == to && ++found == 2) return half_edge;
+      half_edge = mesh_.turn(half_edge);
+    } while (half_edge != first && half_edge != kNone);
+    const bool one_more = half_edge == kNone && start_into(from) == to && found == 1;
+    return one_more ? mesh_.boundary_into(from) : kNone;
+  }
+
+  // Where the boundary into v comes from; v is on it.
+  Index start_into(Index v) const { return mesh_.vertex[mesh_.boundary_into(v)]; }
+
+  void insert_vertex(Index ab) {
+    mesh_.mark_edited(mesh_.hit[ab / 3]);
+    if (mesh_.opposite[ab] == kNone) {
+      const Index b = mesh_.vertex[next_in_triangle(ab)];
+      divide_boundary(ab, 0.5 * (mesh_.position[mesh_.vertex[ab]] + mesh_.position[b]), mesh_);
+      return;
+    }
+    const Index ba = mesh_.opposite[ab];
+    mesh_.mark_edited(mesh_.hit[ba / 3]);
+    const Index c = mesh_.vertex[previous_in_triangle(ab)];
+    const Index d = mesh_.vertex[previous_in_triangle(ba)];
+    const Vec3 position = between(ab / 3, ba / 3, mesh_.vertex[ab], mesh_.vertex[ba]);
+    const Index m = divide_edge(ab, position, mesh_);
+    if (c == d) doubles_.emplace_back(m, c);
+  }
+
+  // The middle of the two hits: it lies in the minimal face between the two leaves, or near it.
+  Vec3 between(Index triangle, Index other, Index a, Index b) const {
+    const Index hit = mesh_.hit[triangle];
+    const Index other_hit = mesh_.hit[other];
+    if (hit == other_hit) return 0.5 * (mesh_.position[a] + mesh_.position[b]);
+    return 0.5 * (hit_points_[hit] + hit_points_[other_hit]);
+  }
+
+  const std::vector<Vec3>& hit_points_;
+  DualMesh& mesh_;
+  std::vector<Index> ring_;
+  std::vector<std::pair<Index, Index>> doubles_;  // vertices that may be joined more than once
+};
+
+}  // namespace
+
+Index separate_double_edges(const std::vector<Vec3>& hit_points, DualMesh& mesh,
+                            const std::vector<Index>* vertices) {
+  return Separation(hit_points, mesh).run(vertices);
+}
+
+}  // namespace kdm

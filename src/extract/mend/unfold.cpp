@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: MIT
+// Edge flips against folds and thin triangles.
+#include "extract/mend/unfold.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "extract/mend/triangle_shape.h"
+
+namespace kdm {
+namespace {
+
+// A flip must be worth it.
+constexpr double kGain = 0.1;
+// By how much a flip must widen that of two triangles.
+constexpr double kWider = 2;
+// Cosine: triangles of a flip for that sake lie so near to their planes, or as near as before.
+constexpr double kAligned = 0.9;
+constexpr int kMaxFlips = 4;  // of one triangle
+
+class Unfolding {
+ public:
+  Unfolding(const GridData& grid, const Details& details, DualMesh& mesh)
+      : grid_(grid), mesh_(mesh), flips_(mesh.triangles(), 0) {
+    if (details.hits.empty()) return;
+    for (Index t = 0; t < mesh.triangles(); ++t) {
+      if (details.of_hit(mesh.hit[t]) != Detail::kPlain) flips_[t] = kMaxFlips;
+    }
+  }
+
+  Index run(const std::vector<Index>* triangles) {
+    if (triangles != nullptr) {
+      for (const Index t : *triangles) look_at(t);
+    } else {
+      for (Index t = 0; t < mesh_.triangles(); ++t) look_at(t);
+    }
+    Index flips = 0;
+    while (!queue_.empty()) {
+      const Index t = queue_.back();
+      queue_.pop_back();
+      const TriangleShape shape = shape_of(t);
+      if ((folded(t, shape) && flip_best(t, &Unfolding::flatter)) ||
+          (thin(shape) && flip_best(t, &Unfolding::wider))) {
+        ++flips;
+      }
+    }
+    return flips;
+  }
+
+ private:
+  void look_at(Index t) {
+    if (mesh_.dropped(t)) return;
+    const TriangleShape shape = shape_of(t);
+    if (folded(t, shape) || thin(shape)) queue_.push_back(t);
+  }
+
+  bool folded(Index t, const TriangleShape& shape) const {
+    return shape.alignment(grid_.plane_of(mesh_.hit[t]).normal) < kFolded;
+  }
+
+  static bool thin(const TriangleShape& shape) { return shape.least_sine() < kThinSine; }
+
+  TriangleShape shape_of(Index t) const {
+    const Index* v = &mesh_.vertex[3 * t];
+    return shape_of(v[0], v[1], v[2]);
+  }
+
+  TriangleShape shape_of(Index a, Index b, Index c) const {
+    return {mesh_.position[a], mesh_.position[b], mesh_.position[c]};
+  }
+
+  double alignment(Index a, Index b, Index c, Index hit) const {
+    return shape_of(a, b, c).alignment(grid_.plane_of(hit).normal);
+  }
+
+  double least_sine(Index a, Index b, Index c) const { return shape_of(a, b, c).least_sine(); }
+
+  struct Flip {
+    Index half_edge = kNone;
+    double quality = 0;
+    std::array<Index, 2> hits{};  // whose the two triangles are then
+  };
+  // Two triangles with a common edge a-b: (a, b, c) and (b, a, d), and the hits they are of.
+  struct Pair {
+    Index a, b, c, d, hit, other;
+  };
+
+  // Flips the edge of t that leaves the better pair of triangles; false if none does.
+  bool flip_best(Index t, Flip (Unfolding::*judge)(Index, const Pair&) const) {
+    Flip best;
+    for (Index h = 3 * t; h < 3 * t + 3; ++h) {
+      const std::optional<Pair> pair = flippable(h);
+      if (!pair) continue;
+      const Flip flip = (this->*judge)(h, *pair);
+      if (flip.half_edge != kNone && (best.half_edge == kNone || flip.quality > best.quality)) {
+        best = flip;
+      }
+    }
+    if (best.half_edge == kNone) return false;
+    const Index other = mesh_.opposite[best.half_edge] / 3;
+    mesh_.mark_edited(mesh_.hit[t]);
+    mesh_.mark_edited(mesh_.hit[other]);
+    mesh_.hit[t] = best.hits[0];
+    mesh_.hit[other] = best.hits[1];
+    flip(best.half_edge);
+    ++flips_[t];
+    ++flips_[other];
+    look_at(t);
+    look_at(other);
+    return true;
+  }
+
+  std::optional<Pair> flippable(Index ab) const {
+    const Index ba = mesh_.opposite[ab];
+    if (ba == kNone || flips_[ab / 3] >= kMaxFlips || flips_[ba / 3] >= kMaxFlips) return {};
+    const Pair pair{mesh_.vertex[ab],
+                    mesh_.vertex[ba],
+                    mesh_.vertex[previous_in_triangle(ab)],
+                    mesh_.vertex[previous_in_triangle(ba)],
+                    mesh_.hit[ab / 3],
+                    mesh_.hit[ba / 3]};
+    if (pair.c == pair.d || shorter_than_four(pair.a) || shorter_than_four(pair.b) ||
+        joined(pair.c, pair.d)) {
+      return {};
+    }
+    return pair;
+  }
+
+  // The flip of a-b to c-d, if the two triangles lie nearer to their planes then.
+  Flip flatter(Index ab, const Pair& pair) const {
+    const auto& [a, b, c, d, hit, other] = pair;
+    const double now = std::min(alignment(a, b, c, hit), alignment(b, a, d, other));
+    Flip best;
+    for (const auto& hits : {std::array{hit, other}, std::array{other, hit}}) {
+      const double then = std::min(alignment(a, d, c, hits[0]), alignment(d, b, c, hits[1]));
+      if (then < now + kGain || (best.half_edge != kNone && then <= best.quality)) continue;
+      if (keeps_creases(pair, hits)) best = {ab, then, hits};
+    }
+    return best;
+  }
+
+  // The same, if their smallest angle is wider then. What was a thin triangle's area may lie in the
+  // other's plane, and becomes that hit's.
+  Flip wider(Index ab, const Pair& pair) const {
+    const auto& [a, b, c, d, hit, other] = pair;
+    const double now = std::min(least_sine(a, b, c), least_sine(b, a, d));
+    const double then = std::min(least_sine(a, d, c), least_sine(d, b, c));
+    if (!(then > kWider * now)) return {};
+    double aligned =
+        std::min(kAligned, std::max(alignment(a, b, c, hit), alignment(b, a, d, other)));
+    Flip best;
+    for (const auto& hits : {std::array{hit, other}, std::array{other, hit}, std::array{hit, hit},
+                             std::array{other, other}}) {
+      const double nearest = std::min(alignment(a, d, c, hits[0]), alignment(d, b, c, hits[1]));
+      if (!(nearest > aligned) || !keeps_creases(pair, hits)) continue;
+      best = {ab, then, hits};
+      aligned = nearest;
+    }
+    return best;
+  }
+
+  // Would the triangles (a, d, c) and (d, b, c) cut none off?
+  bool keeps_creases(const Pair& pair, const std::array<Index, 2>& hits) const {
+    const auto& [a, b, c, d, hit, other] = pair;
+    const double allowed = std::max({grid_.tolerance, off_plane(c, hit), off_plane(d, other)});
+    return std::max({off_plane(a, hits[0]), off_plane(d, hits[0]), off_plane(c, hits[0]),
+                     off_plane(d, hits[1]), off_plane(b, hits[1]), off_plane(c, hits[1])}) <=
+           allowed;
+  }
+
+  double off_plane(Index v, Index hit) const {
+    return grid_.plane_of(hit).distance(mesh_.position[v]);
+  }
+
+  // A vertex loses an edge by a flip and must keep three, or two on the boundary.
+  bool shorter_than_four(Index v) const {
+    if (mesh_.boundary_into(v) != kNone) return false;
+    const Index first = mesh_.first[v];
+    Index half_edge = first;
+    int count = 0;
+    do {
+      if (++count == 4) return false;
+      half_edge = next_in_triangle(mesh_.opposite[half_edge]);
+    } while (half_edge != first);
+    return true;
+  }
+
+  bool joined(Index v, Index w) const {
+    const Index first = mesh_.first[v];
+    Index half_edge = first;
+    do {
+      if (mesh_.vertex[next_in_triangle(half_edge)] == w) return true;
+      half_edge = mesh_.turn(half_edge);
+    } while (half_edge != first && half_edge != kNone);
+    return half_edge == kNone && mesh_.vertex[mesh_.boundary_into(v)] == w;
+  }
+
+  // (a, b, c) and (b, a, d) become (a, d, c) and (d, b, c).
+  void flip(Index ab) {
+    const Index ba = mesh_.opposite[ab];
+    const Index bc = next_in_triangle(ab);
+    const Index ca = previous_in_triangle(ab);
+    const Index ad = next_in_triangle(ba);
+    const Index db = previous_in_triangle(ba);
+    const Index b = mesh_.vertex[ba];
+    const Index c = mesh_.vertex[ca];
+    const Index d = mesh_.vertex[db];
+    const Index beyond_ad = mesh_.opposite[ad];
+    const Index beyond_db = mesh_.opposite[db];
+    const Index beyond_bc = mesh_.opposite[bc];
+    mesh_.link(ab, beyond_ad);  // a-d
+    mesh_.link(ba, beyond_db);  // d-b
+    mesh_.link(ad, beyond_bc);  // b-c
+    mesh_.link(bc, db);         // d-c and c-d
+    mesh_.vertex[ba] = d;
+    mesh_.vertex[ad] = b;
+    mesh_.vertex[bc] = d;
+    mesh_.vertex[db] = c;
+    mesh_.set_first(mesh_.vertex[ab], ab);
+    mesh_.set_first(b, ad);
+    mesh_.set_first(c, ca);
+    mesh_.set_first(d, ba);
+    mesh_.strip[ab / 3] = mesh_.strip[ba / 3] = 0;
+  }
+
+  const GridData& grid_;
+  DualMesh& mesh_;
+  std::vector<Index> queue_;
+  std::vector<int> flips_;  // per triangle
+};
+
+}  // namespace
+
+Index unfold(const GridData& grid, const Details& details, DualMesh& mesh,
+             const std::vector<Index>* triangles) {
+  return Unfolding(grid, details, mesh).run(triangles);
+}
+
+}  // namespace kdm

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// Triangles that are folded over their neighbours, or thin.
+#pragma once
+
+#include "extract/dual/detail.h"
+
+namespace kdm {
+
+/// Flips edges of triangles that are turned away from the plane of their hit, or have no area,
+/// where the two triangles then lie better: leaves of different size beside a concave crease leave
+/// such folds, which reach beyond the surface. The same where the smallest angle of thin triangles
+/// becomes twice as wide, as of three vertices in a row along a crease. No edge is doubled by it,
+/// so an index mesh that is 2-manifold stays so. Triangles of hits with details are left alone.
+/// Returns the number of flips. Looks among all triangles or among `triangles`.
+Index unfold(const GridData& grid, const Details& details, DualMesh& mesh,
+             const std::vector<Index>* triangles = nullptr);
+
+}  // namespace kdm

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// Where vertices go (paper 2.2.1).
+#pragma once
+
+#include <limits>
+#include <span>
+#include <utility>
+
+#include "extract/dual/dual_mesh.h"
+#include "kdmanifold/extract.h"
+
+namespace kdm {
+
+/// The surface point of every hit, in lattice coordinates. If they must be told `apart` in 32 bits,
+/// those that lie together on an edge, or at a grid vertex, are moved by a lattice unit or two.
+std::vector<Vec3> hit_points(const GridData& grid, const std::vector<LatticeBox>& boxes,
+                             bool apart = false);
+
+/// The point of the box with the least squared distances to the hits' planes; where that is not
+/// within the grid's tolerance of all of them, one that is, if there is one. Or the point nearest
+/// to where the squared distances are least anywhere.
+Vec3 vertex_position(const GridData& grid, const std::vector<Vec3>& points,
+                     std::span<const Index> hits, const LatticeBox& box, VertexPosition position);
+
+/// How far a vertex may lie from the plane of one of its hits: the larger of the two.
+struct SplitError {
+  double distance = std::numeric_limits<double>::infinity();  ///< lattice units
+  double of_hits = 0;  ///< fraction of the distance to the furthest of its hits
+};
+
+/// Puts each loop's vertex near its hits' planes, kept within its leaf as `position` says; on the
+/// boundary also near the planes through the rim; at corners that the grid keeps. Returns the other
+/// vertices that lie further off than the error, but for those on the boundary: a split is not
+/// defined there.
+std::vector<Index> place_vertices(const GridData& grid, const std::vector<LatticeBox>& boxes,
+                                  const std::vector<Vec3>& points, const SplitError& error,
+                                  VertexPosition position, DualMesh& mesh);
+
+/// Vertices for which the grid keeps corners, of which their hits do not tell, and these;
+/// ascending.
+std::vector<std::pair<Index, Vec3>> kept_corners(const GridData& grid, const DualMesh& mesh);
+
+/// What the error comes to for a vertex of these hits.
+double error_limit(const SplitError& error, const std::vector<Vec3>& points,
+                   std::span<const Index> hits, const Vec3& vertex);
+
+/// The largest distance of the vertex from the planes of the hits.
+double distance_to_planes(const GridData& grid, std::span<const Index> hits, const Vec3& vertex);
+
+/// Does the vertex lie within this distance of the planes of all the hits?
+bool meets_planes(const GridData& grid, std::span<const Index> hits, const Vec3& vertex,
+                  double distance);
+
+}  // namespace kdm

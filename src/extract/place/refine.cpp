@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+// Vertices at hits and links.
+#include "extract/place/refine.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "extract/dual/clearance.h"
+#include "extract/dual/edit.h"
+#include "extract/place/link_point.h"
+#include "geometry/distance.h"
+
+namespace kdm {
+namespace {
+
+class Refinement {
+ public:
+  Refinement(const GridData& grid, const std::vector<LatticeBox>& boxes,
+             const std::vector<Vec3>& points, const Details& details, double distance,
+             DualMesh& mesh)
+      : grid_(grid),
+        boxes_(boxes),
+        points_(points),
+        details_(details),
+        distance_(distance),
+        mesh_(mesh) {}
+
+  // All is found before anything is divided, so half-edge h is still that of hit h / 3.
+  void find(const std::vector<Index>* hits) {
+    const auto all = static_cast<Index>(points_.size());
+    if (hits == nullptr) {
+      for (Index t = 0; t < all; ++t) look_at(t, [](Index) { return true; });
+    } else {
+      for (const Index t : *hits) {
+        look_at(t,
+                [&](Index other) { return std::binary_search(hits->begin(), hits->end(), other); });
+      }
+    }
+  }
+
+  void divide() {
+    Division division(mesh_);
+    // Hits first: what is divided later is joined to them.
+    for (const Index t : triangles_) division.triangle(t, points_[t]);
+    for (const std::vector<Crossing>* crossings : {&strips_, &links_}) {
+      for (const Crossing& c : *crossings) {
+        mesh_.touched.insert(mesh_.touched.end(), {c.half_edge / 3, c.other / 3});
+        division.edge(c.half_edge, c.position);
+      }
+    }
+  }
+
+  Index vertices() const {
+    return static_cast<Index>(triangles_.size() + strips_.size() + links_.size());
+  }
+
+ private:
+  // A vertex on the edge between two half-edges.
+  struct Crossing {
+    Index half_edge;
+    Index other;
+    Vec3 position;
+  };
+
+  // A link is looked at from its lower half-edge, or from the one whose hit is looked at.
+  template <typename Included>
+  void look_at(Index t, const Included& included) {
+    if (mesh_.dropped(t)) return;
+    const auto half_edges = static_cast<Index>(3 * points_.size());
+    for (Index h = 3 * t; h < 3 * t + 3; ++h) {
+      const Index other = mesh_.opposite[h];
+      if (other >= half_edges || (other < h && included(other / 3))) continue;
+      if ((mesh_.strip[t] >> (h % 3) & 1) != 0) {
+        // Two hits at one point: one vertex, on the edge between their triangles.
+        if (level(t, other / 3) != Detail::kPlain) strips_.push_back({h, other, points_[t]});
+      } else {
+        look_at_link(h, other);
+      }
+    }
+    if (mesh_.strip[t] == 0 && details_.of_hit(t) != Detail::kPlain) triangles_.push_back(t);
+  }
+
+  Detail level(Index hit, Index other) const {
+    return std::max(details_.of_hit(hit), details_.of_hit(other));
+  }
+
+  void look_at_link(Index h, Index other) {
+    const Index a = mesh_.vertex[h];
+    const Index b = mesh_.vertex[other];
+    const std::optional<LinkFace> face = face_between(boxes_[mesh_.leaf[a]], boxes_[mesh_.leaf[b]]);
+    if (!face) return;
+    const Vec3& p = mesh_.position[a];
+    const Vec3& q = mesh_.position[b];
+    const Detail detail = level(h / 3, other / 3);
+    const Vec3 crossing = crossing_point(*face, p, q);
+    std::optional<Vec3> vertex = vertex_on(*face, detail, h, other, crossing);
+    bool through = within(*face, crossing) && !nearly_parallel(q - p, face->axis);
+    if (vertex) {
+      // Arcs over one edge must stay nested.
+      if (detail < Detail::kApart) *vertex = off_sides(*face, *vertex, details_.margin);
+      links_.push_back({h, other, *vertex});
+      through = within(*face, *vertex);
+    }
+    mark_through(h, through);
+    mark_through(other, through);
+  }
+
+  // What the link needs, if anything.
+  std::optional<Vec3> vertex_on(const LinkFace& face, Detail detail, Index half_edge,
+                                Index opposite, const Vec3& crossing) {
+    const Index hit = half_edge / 3;
+    const Index other = opposite / 3;
+    if (detail == Detail::kPlain && meets_planes(face, hit, other, crossing)) return std::nullopt;
+    if (detail >= Detail::kApart) {
+      std::vector<HitPair> links;
+      if (details_.plain != nullptr) links = links_beside(*details_.plain, half_edge);
+      return chord_point(points_, face, {hit, other}, links);
+    }
+    const Vec3 corner = crease_point(grid_, points_, face, {hit, other}, {}, distance_);
+    const bool wanted = detail == Detail::kFull || detail == Detail::kInside ||
+                        misses(hit, corner, other, crossing);
+    if (!wanted) return std::nullopt;
+    find_hits_beside(half_edge, opposite);
+    return crease_point(grid_, points_, face, {hit, other}, beside_, distance_);
+  }
+
+  // Of the loops on both sides of the link.
+  void find_hits_beside(Index half_edge, Index opposite) {
+    beside_.clear();
+    for (const Index first : {half_edge, opposite}) {
+      Index h = first;
+      do {
+        beside_.push_back(mesh_.hit[h / 3]);
+        h = mesh_.turn(h);
+      } while (h != first && h != kNone);
+    }
+  }
+
+  // All between the two leaves of the half-edge's link.
+  static std::vector<HitPair> links_beside(const DualMesh& plain, Index link) {
+    const auto leaf_beyond = [&](Index h) { return plain.leaf[plain.vertex[next_in_triangle(h)]]; };
+    std::vector<HitPair> links;
+    const Index first = plain.vertex[link];
+    Index v = first;
+    do {
+      Index h = plain.first[v];
+      do {
+        const Index other = plain.opposite[h];
+        const bool strip = (plain.strip[h / 3] >> (h % 3) & 1) != 0;
+        if (other != kNone && !strip && leaf_beyond(h) == leaf_beyond(link)) {
+          links.push_back({h / 3, other / 3});
+        }
+        h = plain.turn(h);
+      } while (h != plain.first[v] && h != kNone);
+      v = plain.beside[v];
+    } while (v != first);
+    return links;
+  }
+
+  void mark_through(Index half_edge, bool through) {
+    if (mesh_.through.empty()) return;
+    char& bits = mesh_.through[half_edge / 3];
+    const int bit = 1 << half_edge % 3;
+    bits = static_cast<char>(through ? bits | bit : bits & ~bit);
+  }
+
+  static Vec3 crossing_point(const LinkFace& face, const Vec3& p, const Vec3& q) {
+    const double across = q[face.axis] - p[face.axis];
+    if (across == 0) return 0.5 * (p + q);
+    return p + std::clamp((face.lo[face.axis] - p[face.axis]) / across, 0.0, 1.0) * (q - p);
+  }
+
+  // Does the edge pass the face, and the planes of both hits within the distance, taken together
+  // as at a right angle? From their sections with the face it may be further off where the surface
+  // runs along the face.
+  bool meets_planes(const LinkFace& face, Index hit, Index other, const Vec3& crossing) const {
+    const double first = grid_.plane_of(hit).distance(crossing);
+    const double second = grid_.plane_of(other).distance(crossing);
+    return first * first + second * second <= distance_ * distance_ &&
+           (crossing.array() >= face.lo.array() - distance_).all() &&
+           (crossing.array() <= face.hi.array() + distance_).all();
+  }
+
+  // Is the crossing too far from the line hit - corner - other?
+  bool misses(Index hit, const Vec3& corner, Index other, const Vec3& crossing) const {
+    return std::min(squared_distance(crossing, points_[hit], corner),
+                    squared_distance(crossing, corner, points_[other])) > distance_ * distance_;
+  }
+
+  const GridData& grid_;
+  const std::vector<LatticeBox>& boxes_;
+  const std::vector<Vec3>& points_;
+  const Details& details_;
+  double distance_;
+  DualMesh& mesh_;
+  std::vector<Index> triangles_;  // of hits that become vertices
+  std::vector<Crossing> strips_;  // between two hits that become one vertex
+  std::vector<Crossing> links_;
+  std::vector<Index> beside_;  // hits of the loops on both sides of the link at hand
+};
+
+}  // namespace
+
+Index refine(const GridData& grid, const std::vector<LatticeBox>& boxes,
+             const std::vector<Vec3>& points, const Details& details, double distance,
+             DualMesh& mesh, const std::vector<Index>* hits) {
+  Refinement refinement(grid, boxes, points, details, distance, mesh);
+  refinement.find(hits);
+  if (refinement.vertices() > 0) refinement.divide();
+  return refinement.vertices();
+}
+
+}  // namespace kdm

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// Vertices at hits and links, where one triangle a hit is too few.
+#pragma once
+
+#include "extract/dual/detail.h"
+
+namespace kdm {
+
+/// Adds the vertices that the details ask for, and one in each minimal face that an edge of the
+/// mesh crosses further than `distance` (lattice units) from the surface. Returns their number.
+/// Looks at all hits and their links or at those of `hits`, which ascend and are not divided yet.
+Index refine(const GridData& grid, const std::vector<LatticeBox>& boxes,
+             const std::vector<Vec3>& points, const Details& details, double distance,
+             DualMesh& mesh, const std::vector<Index>* hits = nullptr);
+
+}  // namespace kdm

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: MIT
+// Vertex splits (paper 2.3.1).
+//
+// The ring of a vertex v is cut into sections of consecutive polygons whose planes one point meets:
+// from a starting polygon forwards as long as the accumulated quadric allows it, then backwards.
+// Each section but the last gets a vertex w of its own; two triangles beside the new edge v-w keep
+// the surface closed, where f is the section's last polygon and g the one after it. The triangle
+// lies in f's plane, so v must meet it too: that makes two corners of a cube in one leaf exact. But
+// a section of one or two polygons hands no planes on, or v would be left as badly off as before.
+// The paper starts anywhere. Three planes always meet somewhere, though, and where they are none of
+// one feature the new triangles turn over: then the next polygon is the start.
+//
+//         u                    u
+//         |                  /   \     .
+//      f  |  g      ->    f /     \ g
+//         v                w-------v
+//         |                 \     /
+//         |                  \   /
+//         x                    x
+#include "extract/place/split_vertices.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace kdm {
+namespace {
+
+// Between a triangle beside a new edge and the plane it should lie in.
+constexpr double kLeastCosine = 0.5;
+
+class Splitting {
+ public:
+  Splitting(const GridData& grid, const std::vector<LatticeBox>& boxes,
+            const std::vector<Vec3>& points, const SplitError& error, VertexPosition position,
+            DualMesh& mesh)
+      : grid_(grid),
+        boxes_(boxes),
+        points_(points),
+        error_(error),
+        position_(position),
+        mesh_(mesh),
+        before_(mesh.triangles()) {}
+
+  Index run(const std::vector<Index>& vertices) {
+    const auto loops = static_cast<Index>(mesh_.first.size());
+    for (const Index v : vertices) {
+      read_ring(v);
+      limit_ = error_limit(error_, points_, polygons_, mesh_.position[v]);
+      split(v);
+    }
+    return static_cast<Index>(mesh_.first.size()) - loops;
+  }
+
+ private:
+  // Cuts sections off v until what is left to it fits, or no cut leaves sound triangles.
+  void split(Index v) {
+    while (!meets_planes(grid_, polygons_, mesh_.position[v], limit_)) {
+      bool cut = false;
+      for (std::size_t start = 0; start < polygons_.size() && !cut; ++start) {
+        cut = cut_off(v, find_section(start, mesh_.leaf[v]));
+      }
+      if (!cut) return;
+      read_ring(v);
+    }
+  }
+
+  // Polygons first, first + 1, ... of the ring, cyclically.
+  struct Section {
+    std::size_t first = 0;
+    std::size_t count = 0;
+    Vec3 position = Vec3::Zero();
+  };
+
+  // Such triangles stand for no plane.
+  bool filling(Index triangle) const {
+    return triangle >= before_ && filling_[triangle - before_] != 0;
+  }
+
+  void read_ring(Index v) {
+    ring_.clear();
+    polygons_.clear();
+    places_.clear();
+    const Index first = mesh_.first[v];
+    Index half_edge = first;
+    do {
+      if (!filling(half_edge / 3)) {
+        places_.push_back(ring_.size());
+        polygons_.push_back(mesh_.hit[half_edge / 3]);
+      }
+      ring_.push_back(half_edge);
+      half_edge = next_in_triangle(mesh_.opposite[half_edge]);
+    } while (half_edge != first);
+  }
+
+  // Does one vertex serve the section? If so, its position is kept.
+  bool serve(Section& section, Index leaf) {
+    hits_.clear();
+    for (std::size_t i = 0; i < section.count; ++i) {
+      hits_.push_back(polygons_[(section.first + i) % polygons_.size()]);
+    }
+    const Vec3 position = vertex_position(grid_, points_, hits_, boxes_[leaf], position_);
+    if (!meets_planes(grid_, hits_, position, limit_)) return false;
+    section.position = position;
+    return true;
+  }
+
+  Section find_section(std::size_t start, Index leaf) {
+    Section section{start, 1};
+    serve(section, leaf);  // the plane of a hit meets the leaf at the hit
+    while (section.count < polygons_.size()) {
+      Section longer{section.first, section.count + 1};
+      if (!serve(longer, leaf)) break;
+      section = longer;
+    }
+    while (section.count < polygons_.size()) {
+      Section longer{(section.first + polygons_.size() - 1) % polygons_.size(), section.count + 1};
+      if (!serve(longer, leaf)) break;
+      section = longer;
+    }
+    return section;
+  }
+
+  // The half-edge out of v between polygon i and the next one: in the middle of what fills them.
+  Index boundary_after(std::size_t i) const {
+    const std::size_t from = places_[i];
+    const std::size_t to = places_[(i + 1) % places_.size()];
+    const std::size_t gap = (to + ring_.size() - from - 1) % ring_.size();
+    return ring_[(from + gap / 2) % ring_.size()];
+  }
+
+  bool cut_off(Index v, const Section& section) {
+    const std::size_t n = polygons_.size();
+    if (section.count == n) return false;
+    const Index last = boundary_after((section.first + section.count - 1) % n);
+    const Index before = boundary_after((section.first + n - 1) % n);
+    // Both cuts along edges to one vertex would fold the new triangles onto each other.
+    if (target(last) == target(before)) return false;
+    const bool inherited = section.count >= 3;
+    const Vec3 rest = position_of_rest(section, inherited, mesh_.leaf[v]);
+    if (folded(polygons_[(section.first + section.count - 1) % n], target(last), section.position,
+               rest) ||
+        folded(polygons_[section.first], target(before), rest, section.position)) {
+      return false;
+    }
+    for (const Index hit : polygons_) mesh_.mark_edited(hit);
+    if (mesh_.cut.size() <= v) mesh_.cut.resize(v + 1, 0);
+    mesh_.cut[v] = 1;
+    const auto w = static_cast<Index>(mesh_.first.size());
+    mesh_.position.push_back(section.position);
+    mesh_.leaf.push_back(mesh_.leaf[v]);
+    const Index first = next_in_triangle(mesh_.opposite[before]);
+    mesh_.first.push_back(first);
+    const Index remaining = next_in_triangle(mesh_.opposite[last]);
+    for (Index half_edge = first; half_edge != remaining;
+         half_edge = next_in_triangle(mesh_.opposite[half_edge])) {
+      mesh_.vertex[half_edge] = w;
+    }
+    mesh_.first[v] = remaining;
+    const Index beyond = mesh_.opposite[last];
+    const Index behind = mesh_.opposite[before];
+    const Index one = mesh_.add_triangle(mesh_.hit[last / 3], mesh_.vertex[beyond], w, v);
+    const Index other = mesh_.add_triangle(mesh_.hit[behind / 3], mesh_.vertex[behind], v, w);
+    mesh_.link(one, last);
+    mesh_.link(one + 1, other + 1);
+    mesh_.link(one + 2, beyond);
+    mesh_.link(other, before);
+    mesh_.link(other + 2, behind);
+    filling_.insert(filling_.end(), 2, inherited ? 0 : 1);
+    mesh_.position[v] = rest;
+    return true;
+  }
+
+  Vec3 position_of_rest(const Section& section, bool inherited, Index leaf) {
+    const std::size_t n = polygons_.size();
+    hits_.clear();
+    const std::size_t shared = inherited ? 1 : 0;
+    for (std::size_t i = section.count - shared; i < n + shared; ++i) {
+      hits_.push_back(polygons_[(section.first + i) % n]);
+    }
+    return vertex_position(grid_, points_, hits_, boxes_[leaf], position_);
+  }
+
+  // Would the triangle beside the new edge be turned away from the polygon it continues?
+  bool folded(Index hit, Index u, const Vec3& from, const Vec3& to) const {
+    const Vec3& apex = mesh_.position[u];
+    const Vec3 normal = (from - apex).cross(to - apex);
+    const Vec3& wanted = grid_.plane_of(hit).normal;
+    return !(normal.dot(wanted) > kLeastCosine * normal.norm());
+  }
+
+  Index target(Index half_edge) const { return mesh_.vertex[next_in_triangle(half_edge)]; }
+
+  const GridData& grid_;
+  const std::vector<LatticeBox>& boxes_;
+  const std::vector<Vec3>& points_;
+  SplitError error_;
+  VertexPosition position_;
+  DualMesh& mesh_;
+  Index before_;               // triangles
+  double limit_ = 0;           // of the vertex at hand
+  std::vector<char> filling_;  // per triangle added
+  // Of the vertex at hand: its half-edges, the hits of its polygons and their places in the ring.
+  std::vector<Index> ring_;
+  std::vector<Index> polygons_;
+  std::vector<std::size_t> places_;
+  std::vector<Index> hits_;
+};
+
+}  // namespace
+
+Index split_vertices(const GridData& grid, const std::vector<LatticeBox>& boxes,
+                     const std::vector<Vec3>& points, const SplitError& error,
+                     VertexPosition position, const std::vector<Index>& vertices, DualMesh& mesh) {
+  return Splitting(grid, boxes, points, error, position, mesh).run(vertices);
+}
+
+}  // namespace kdm

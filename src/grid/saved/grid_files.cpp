@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// Grids from and to files. Apart from the rest, for the WebAssembly build has no files.
+#include <fmt/format.h>
+
+#include <new>
+
+#include "io/files.h"
+#include "kdmanifold/error.h"
+#include "kdmanifold/grid_io.h"
+
+namespace kdm {
+namespace {
+
+constexpr std::string_view kExtension = ".kdgrid";
+
+}  // namespace
+
+bool names_a_grid(std::string_view path) {
+  if (path.size() < kExtension.size()) return false;
+  const std::string_view end = path.substr(path.size() - kExtension.size());
+  for (std::size_t i = 0; i < end.size(); ++i) {
+    const char c = end[i];
+    if ((c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c) != kExtension[i])
+      return false;
+  }
+  return true;
+}
+
+void write_grid(const std::string& path, const Grid& grid) {
+  if (!names_a_grid(path)) {
+    throw Error(ErrorCode::kIoError,
+                fmt::format("{}: the file's name does not end in {}", path, kExtension));
+  }
+  const std::vector<std::uint8_t> bytes = save_grid(grid);
+  write_file(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
+Grid read_grid(const std::string& path) try {
+  const std::string bytes = read_file(path);
+  return load_grid({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}, path);
+} catch (const std::bad_alloc&) {
+  throw Error(ErrorCode::kOutOfMemory, fmt::format("{}: not enough memory to read it", path));
+}
+
+}  // namespace kdm

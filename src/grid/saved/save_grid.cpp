@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: MIT
+// Grid -> bytes, section by section; grid_format.h describes them.
+#include <algorithm>
+#include <new>
+#include <utility>
+
+#include "geometry/assert.h"
+#include "grid/faces.h"
+#include "grid/saved/grid_format.h"
+#include "grid/saved/sheet_links.h"
+#include "io/bytes.h"
+#include "kdmanifold/error.h"
+#include "kdmanifold/grid_io.h"
+
+namespace kdm {
+namespace {
+
+namespace format = grid_format;
+
+class GridWriter {
+ public:
+  explicit GridWriter(const GridData& grid)
+      : grid_(grid), boxes_(cell_boxes(grid)), cell_of_split_(grid.splits()) {
+    for (std::size_t c = 0; c < grid.cells.size(); ++c) {
+      if (!grid.cells[c].leaf()) cell_of_split_[grid.cells[c].split()] = static_cast<Index>(c);
+    }
+  }
+
+  std::string payload() {
+    write_lattice();
+    write_reports();
+    append_varint(out_, grid_.splits());
+    append_varint(out_, grid_.hits.size());
+    write_cells();
+    write_edges();
+    write_hits();
+    for_each_face(grid_, boxes_, [&](const MinimalFace& face) { write_links(face); });
+    append_bits();
+    write_rims();
+    write_corners();
+    return std::move(out_);
+  }
+
+ private:
+  void write_lattice() {
+    write_vector(grid_.lattice.origin);
+    append_f64(out_, grid_.lattice.step);
+    append_f64(out_, grid_.tolerance);
+    append_f64(out_, grid_.stats.winding_threshold);
+  }
+
+  void write_reports() {
+    const InputReport& input = grid_.input;
+    for (const Index count :
+         {input.vertices, input.triangles, input.boundary_edges, input.non_manifold_edges,
+          input.boundary_loops, input.degenerate_faces, input.cancelled_faces,
+          input.duplicate_faces, input.sewn_edges, input.turned_faces, input.components,
+          grid_.stats.unresolved_leaves, grid_.stats.guessed_faces}) {
+      append_varint(out_, count);
+    }
+    append_u8(out_,
+              static_cast<std::uint8_t>(
+                  (input.closed ? format::kClosed : 0) | (input.flipped ? format::kFlipped : 0) |
+                  (grid_.stats.topology_resolved ? format::kTopologyResolved : 0) |
+                  (grid_.sheet ? format::kSheet : 0)));
+  }
+
+  // Keeps account of what the reader knows: `pending` are the cells known to be split, of which
+  // those that have been are `done`.
+  void write_cells() {
+    std::vector<char> done(grid_.cells.size(), 0);
+    std::vector<Index> pending{0};
+    for (const Index c : cell_of_split_) {
+      while (done[pending.back()] != 0) pending.pop_back();
+      const bool stray = pending.back() != c;
+      done[c] = 1;
+      const Cell& cell = grid_.cells[c];
+      const bool below_is_split = !grid_.cells[cell.below()].leaf();
+      const bool above_is_split = !grid_.cells[cell.above()].leaf();
+      const int middle = (boxes_[c].lo[cell.axis()] + boxes_[c].hi[cell.axis()]) / 2;
+      const std::uint64_t place =
+          3 * format::from_signed(cell.value() - middle) + static_cast<unsigned>(cell.axis());
+      append_varint(out_, 8 * place | (below_is_split ? format::kBelowIsSplit : 0u) |
+                              (above_is_split ? format::kAboveIsSplit : 0u) |
+                              (stray ? format::kStray : 0u));
+      if (stray) append_varint(out_, c);
+      if (above_is_split) pending.push_back(cell.above());
+      if (below_is_split) pending.push_back(cell.below());
+    }
+  }
+
+  Index hits_on(Index edge) const { return grid_.edge_begin[edge + 1] - grid_.edge_begin[edge]; }
+
+  void write_edges() {
+    for (Index k = 0; k < grid_.splits(); ++k) {
+      unsigned packed = 0;
+      for (Index i = 0; i < 4; ++i) {
+        packed |= std::min(hits_on(4 * k + i), format::kManyHits) << (2 * i);
+      }
+      append_u8(out_, static_cast<std::uint8_t>(packed));
+      for (Index i = 0; i < 4; ++i) {
+        const Index count = hits_on(4 * k + i);
+        if (count >= format::kManyHits) append_varint(out_, count - format::kManyHits);
+      }
+    }
+  }
+
+  void write_hits() {
+    Index met = 0;
+    Index source_before = 0;
+    for (Index edge = 0; edge < 4 * grid_.splits(); ++edge) {
+      const Index c = cell_of_split_[edge / 4];
+      const int axis = axis_of_edge(grid_.cells[c].axis(), static_cast<int>(edge % 4));
+      std::uint64_t lowest = static_cast<std::uint64_t>(boxes_[c].lo[axis]) << kFractionBits;
+      for (Index h = grid_.edge_begin[edge]; h < grid_.edge_begin[edge + 1]; ++h) {
+        const Hit& hit = grid_.hits[h];
+        append_varint(out_, hit.position - lowest);
+        lowest = std::uint64_t{hit.position} + (grid_.sheet ? 0 : 1);
+        KDM_ASSERT(hit.plane() <= met, "planes come in the order of their first hits");
+        const std::uint64_t back = met - hit.plane();
+        const bool directed = grid_.sheet || h == grid_.edge_begin[edge];
+        append_varint(out_, directed ? 2 * back + (hit.leaving() ? 1 : 0) : back);
+        if (back > 0) continue;
+        write_plane(grid_.planes[met]);
+        const Index source = grid_.source_faces[met++];
+        append_varint(out_, format::from_signed(std::int64_t{source} - source_before));
+        source_before = source;
+      }
+    }
+  }
+
+  void write_plane(const Plane& plane) {
+    write_vector(plane.normal);
+    append_f64(out_, plane.offset);
+  }
+
+  void write_links(const MinimalFace& face) {
+    if (grid_.sheet ? face.strip() : !format::has_stored_links(face)) return;
+    outline_.clear();
+    starts_below_.clear();
+    for_each_hit(face, [&](const FaceEdge& edge, Index hit, int) {
+      outline_.push_back(3 * hit + edge.slot);
+      starts_below_.push_back(starts_below(edge, grid_.hits[hit].reversed()));
+    });
+    if (grid_.sheet) {
+      write_sheet_links();
+    } else {
+      write_brackets();
+    }
+  }
+
+  void write_brackets() {
+    place_.resize(3 * grid_.hits.size());
+    for (Index i = 0; i < outline_.size(); ++i) place_[outline_[i]] = i;
+    for (Index i = 0; i < outline_.size(); ++i) {
+      write_bit(place_[grid_.opposite[outline_[i]]] > i);
+    }
+  }
+
+  void write_sheet_links() {
+    decide_(
+        starts_below_, [&](Index i) { return write_bit(grid_.opposite[outline_[i]] != kNone); },
+        [&](Index i, Index j) { return write_bit(grid_.opposite[outline_[i]] == outline_[j]); },
+        [](Index, Index) {});
+  }
+
+  bool write_bit(bool bit) {
+    byte_ |= (bit ? 1u : 0u) << bits_;
+    if (++bits_ == 8) append_bits();
+    return bit;
+  }
+
+  void append_bits() {
+    if (bits_ > 0) append_u8(out_, static_cast<std::uint8_t>(byte_));
+    byte_ = 0;
+    bits_ = 0;
+  }
+
+  void write_rims() {
+    write_kept(grid_.rims, [&](const RimHit& rim) {
+      write_vector(rim.point);
+      write_vector(rim.normal);
+    });
+  }
+
+  void write_corners() {
+    write_kept(grid_.corners, [&](const KeptCorner& corner) { write_vector(corner.point); });
+  }
+
+  // What is kept of some half-edges, in the order of these.
+  template <typename Kept, typename Write>
+  void write_kept(const std::vector<Kept>& kept, const Write& write) {
+    append_varint(out_, kept.size());
+    Index next = 0;
+    for (const Kept& one : kept) {
+      append_varint(out_, one.half_edge - next);
+      next = one.half_edge + 1;
+      write(one);
+    }
+  }
+
+  void write_vector(const Vec3& v) {
+    for (int axis = 0; axis < 3; ++axis) append_f64(out_, v[axis]);
+  }
+
+  const GridData& grid_;
+  std::vector<LatticeBox> boxes_;
+  std::vector<Index> cell_of_split_;
+  std::string out_;
+  // Of the face at hand: its half-edges in order, and which start below it.
+  std::vector<Index> outline_;
+  std::vector<bool> starts_below_;
+  SheetLinkDecisions decide_;
+  std::vector<Index> place_;  // per half-edge: in the outline
+  unsigned byte_ = 0;         // bits that do not fill a byte yet
+  int bits_ = 0;
+};
+
+}  // namespace
+
+std::vector<std::uint8_t> save_grid(const Grid& grid) try {
+  const std::string payload = GridWriter(grid.data()).payload();
+  std::string header(format::kMagic);
+  append_u32(header, format::kVersion);
+  append_u64(header, payload.size());
+  append_u64(header, format::checksum(payload));
+  std::vector<std::uint8_t> bytes;
+  bytes.reserve(header.size() + payload.size());
+  bytes.insert(bytes.end(), header.begin(), header.end());
+  bytes.insert(bytes.end(), payload.begin(), payload.end());
+  return bytes;
+} catch (const std::bad_alloc&) {
+  throw Error(ErrorCode::kOutOfMemory, "there is not enough memory to save the grid");
+}
+
+}  // namespace kdm

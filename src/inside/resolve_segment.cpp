@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// Crossings kept, turned, dropped and invented along a stretch of a grid edge.
+#include "inside/resolve_segment.h"
+
+#include <algorithm>
+
+namespace kdm {
+namespace {
+
+// Crossings less far apart are one cluster; there is room for another one within any wider gap.
+constexpr LinePosition kLeastGap = 64;
+
+constexpr LinePosition position_of(std::int32_t coordinate) {
+  return static_cast<LinePosition>(coordinate) << kFractionBits;
+}
+
+// The last position below a coordinate, which may be the root's upper end.
+constexpr LinePosition last_below(std::int32_t coordinate) { return position_of(coordinate) - 1; }
+
+}  // namespace
+
+bool consistent(const Segment& segment, const std::vector<Crossing>& crossings) {
+  bool inside = segment.inside_low;
+  for (std::size_t i = 0; i < crossings.size(); ++i) {
+    if (crossings[i].leaving != inside) return false;
+    if (i > 0 && crossings[i].position == crossings[i - 1].position) return false;
+    inside = !inside;
+  }
+  return inside == segment.inside_high;
+}
+
+void SegmentResolver::resolve(const Segment& segment, std::vector<Crossing>& crossings, bool invent,
+                              std::vector<WalkedCrossing>& walked) {
+  walked.clear();
+  sort_crossings(crossings);
+  if (consistent(segment, crossings)) {
+    for (const Crossing& c : crossings) walked.push_back({c, c.leaving ? 0 : 1, true, c.leaving});
+    return;
+  }
+  find_clusters(segment, crossings);
+  bool inside = segment.inside_low;
+  LinePosition last = position_of(segment.low[segment.axis]);
+  const auto invent_before = [&](LinePosition next, bool inside_next) {
+    if (inside == inside_next) return;
+    if (invent) {
+      const LinePosition position = change_between(segment, last, next, inside);
+      walked.push_back({{position, kNone, inside}, inside ? 0 : 1, true, inside});
+    }
+    inside = inside_next;
+  };
+  for (const Cluster& cluster : clusters_) {
+    const LinePosition first = crossings[cluster.begin].position;
+    if (first - last >= kLeastGap) invent_before(first, cluster.inside_before);
+    const bool changes = inside != cluster.inside_after;
+    // The one to keep: the first that runs the way of the change, else the first.
+    std::size_t keep = cluster.begin;
+    while (keep < cluster.end && crossings[keep].leaving != inside) ++keep;
+    if (keep == cluster.end) keep = cluster.begin;
+    for (std::size_t i = cluster.begin; i < cluster.end; ++i) {
+      walked.push_back({crossings[i], cluster.inside_after ? 1 : 0, changes && i == keep, inside});
+    }
+    inside = cluster.inside_after;
+    last = crossings[cluster.end - 1].position;
+  }
+  invent_before(last_below(segment.high), segment.inside_high);
+}
+
+// The last cluster must end as the segment does where there is no room behind it.
+void SegmentResolver::find_clusters(const Segment& segment,
+                                    const std::vector<Crossing>& crossings) {
+  clusters_.clear();
+  LinePosition last = position_of(segment.low[segment.axis]);
+  for (std::size_t first = 0; first < crossings.size();) {
+    std::size_t next = first + 1;
+    while (next < crossings.size() &&
+           crossings[next].position - crossings[next - 1].position < kLeastGap) {
+      ++next;
+    }
+    const double gap = (crossings[first].position - last) * kFractionUnit;
+    Cluster cluster{first, next, segment.inside_low, segment.inside_low};
+    const double begin = real_position(crossings[first].position);
+    cluster.inside_before = inside(segment, begin - std::min(0.25, 0.5 * gap));
+    last = crossings[next - 1].position;
+    const LinePosition end =
+        next < crossings.size() ? crossings[next].position : last_below(segment.high);
+    const double room = (end - last) * kFractionUnit;
+    cluster.inside_after = inside(segment, real_position(last) + std::min(0.25, 0.5 * room));
+    clusters_.push_back(cluster);
+    first = next;
+  }
+  if (!clusters_.empty() && last_below(segment.high) - last < kLeastGap) {
+    clusters_.back().inside_after = segment.inside_high;
+  }
+}
+
+// By bisection, strictly between the two.
+LinePosition SegmentResolver::change_between(const Segment& segment, LinePosition low,
+                                             LinePosition high, bool inside_low) const {
+  double below = real_position(low);
+  double above = real_position(high);
+  while (above - below > precision_) {
+    const double middle = 0.5 * (below + above);
+    (inside(segment, middle) == inside_low ? below : above) = middle;
+  }
+  const auto position =
+      static_cast<LinePosition>(0.5 * (below + above) * static_cast<double>(1 << kFractionBits));
+  return std::clamp(position, low + 1, high - 1);
+}
+
+bool SegmentResolver::inside(const Segment& segment, double position) const {
+  Vec3 p = real(segment.low);
+  p[segment.axis] = position;
+  return field_.inside(p);
+}
+
+}  // namespace kdm

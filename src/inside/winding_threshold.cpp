@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// Winding numbers jump by one across a face, from its front to its back. Where the front of a face
+// sees more holes than surface, as in a tub, both are below one half, and a lower threshold
+// keeps it.
+#include "inside/winding_field.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace kdm {
+namespace {
+
+constexpr int kSamples = 1024;
+constexpr double kInFront = 0.5;  // lattice units
+constexpr std::array<double, 9> kThresholds{0.5, 0.45, 0.4, 0.35, 0.3, 0.25, 0.2, 0.15, 0.1};
+constexpr double kWorthIt = 0.01;  // of the area
+
+Vec3 twice_area(const LatticeTriangle& t) {
+  return (real(t[1]) - real(t[0])).cross(real(t[2]) - real(t[0]));
+}
+
+// Points spread evenly over the triangles, a little in front of them.
+class Samples {
+ public:
+  explicit Samples(std::span<const LatticeTriangle> triangles) : triangles_(triangles) {
+    sums_.reserve(triangles.size());
+    double sum = 0;
+    for (const LatticeTriangle& t : triangles) sums_.push_back(sum += twice_area(t).norm());
+  }
+
+  bool empty() const { return sums_.empty() || sums_.back() <= 0; }
+
+  Vec3 operator()(int number) const {
+    const double at = (number + 0.5) / kSamples * sums_.back();
+    const auto found = std::upper_bound(sums_.begin(), sums_.end(), at);
+    const auto i =
+        std::min<std::size_t>(static_cast<std::size_t>(found - sums_.begin()), sums_.size() - 1);
+    const LatticeTriangle& t = triangles_[i];
+    // Multiples of the powers of the inverse plastic number fill a square evenly.
+    double u = fraction(0.7548776662466927 * number);
+    double v = fraction(0.5698402909980532 * number);
+    if (u + v > 1) {
+      u = 1 - u;
+      v = 1 - v;
+    }
+    const Vec3 origin = real(t[0]);
+    const Vec3 point = origin + u * (real(t[1]) - origin) + v * (real(t[2]) - origin);
+    const Vec3 normal = twice_area(t);
+    const double length = normal.norm();
+    return length > 0 ? Vec3(point + kInFront / length * normal) : point;
+  }
+
+ private:
+  static double fraction(double x) { return x - std::floor(x); }
+
+  std::span<const LatticeTriangle> triangles_;
+  std::vector<double> sums_;  // of areas
+};
+
+}  // namespace
+
+double choose_winding_threshold(const WindingField& field,
+                                std::span<const LatticeTriangle> triangles) {
+  const Samples samples(triangles);
+  std::array<int, kThresholds.size()> kept{};
+  for (int n = 0; n < kSamples && !samples.empty(); ++n) {
+    const double front = field.winding(samples(n));
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+      if (front <= kThresholds[i] && kThresholds[i] < front + 1) ++kept[i];
+    }
+  }
+  const int enough =
+      *std::max_element(kept.begin(), kept.end()) - static_cast<int>(kWorthIt * kSamples);
+  const auto chosen =
+      std::find_if(kept.begin(), kept.end(), [&](int number) { return number >= enough; });
+  return kThresholds[static_cast<std::size_t>(chosen - kept.begin())];
+}
+
+}  // namespace kdm

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// Meshes from and to files. Apart from mesh_io.cpp, for the WebAssembly build has no files.
+#include <fmt/format.h>
+
+#include <new>
+
+#include "io/files.h"
+#include "kdmanifold/error.h"
+#include "kdmanifold/mesh_io.h"
+
+namespace kdm {
+
+Mesh read_mesh(const std::string& path) {
+  const MeshFormat format = format_from_path(path);
+  try {
+    return parse_mesh(read_file(path), format, path);
+  } catch (const std::bad_alloc&) {
+    throw Error(ErrorCode::kOutOfMemory, fmt::format("{}: not enough memory to read it", path));
+  }
+}
+
+void write_mesh(const std::string& path, const Mesh& mesh, Digits digits) {
+  write_file(path, format_mesh(mesh, format_from_path(path), digits));
+}
+
+}  // namespace kdm

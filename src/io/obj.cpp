@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+// Wavefront OBJ: `v` and `f` statements; everything else is passed over. `vn` is written only.
+#include <fmt/compile.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <vector>
+
+#include "io/formats.h"
+#include "io/mesh_builder.h"
+#include "io/text_position.h"
+#include "io/text_scanner.h"
+#include "kdmanifold/error.h"
+
+namespace kdm {
+namespace {
+
+class ObjReader {
+ public:
+  ObjReader(std::string_view text, std::string_view name)
+      : scanner_(text, name, {.comments = true, .continuations = true}) {
+    // The byte order mark that some editors put before text.
+    scanner_.take("\xef\xbb\xbf");
+  }
+
+  Mesh read() {
+    while (scanner_.find_word()) {
+      const std::string_view keyword = scanner_.word();
+      if (keyword == "v") {
+        read_vertex();
+      } else if (keyword == "f" || keyword == "fo") {
+        read_face();
+      } else if (static_cast<unsigned char>(keyword[0]) < ' ') {
+        // Any word may be a keyword of somebody's, but this is no text.
+        scanner_.fail("a keyword is expected, not " + quoted(keyword));
+      }
+      // Colours behind coordinates and statements without geometry end here.
+      scanner_.skip_line();
+    }
+    if (highest_ >= std::int64_t{builder_.vertex_count()}) fail_range(highest_line_, highest_ + 1);
+    return builder_.finish();
+  }
+
+ private:
+  void read_vertex() {
+    const double x = scanner_.number("coordinate x");
+    const double y = scanner_.number("coordinate y");
+    const double z = scanner_.number("coordinate z");
+    builder_.add_vertex({x, y, z});
+  }
+
+  void read_face() {
+    corners_.clear();
+    const std::size_t line = scanner_.line();
+    while (!scanner_.at_line_end()) corners_.push_back(read_corner());
+    if (corners_.size() < 3) {
+      scanner_.fail_at(line, fmt::format("a face needs three corners or more, this one has {}",
+                                         corners_.size()));
+    }
+    builder_.add_face(corners_);
+  }
+
+  // v, v/vt, v//vn or v/vt/vn; the vertex may be defined later in the file.
+  Index read_corner() {
+    const std::int64_t number = scanner_.integer_prefix("a vertex index");
+    for (int part = 0; part < 2 && scanner_.peek() == '/'; ++part) {
+      scanner_.skip_char();
+      if (scanner_.peek() != '/' && scanner_.peek() != '\0') {
+        scanner_.integer_prefix("a texture or normal index");
+      }
+    }
+    if (scanner_.peek() != '\0') scanner_.fail_expected("the end of a corner");
+    if (number == 0) scanner_.fail("vertex index 0 is out of range, OBJ counts from 1");
+    const std::int64_t count = builder_.vertex_count();
+    const std::int64_t index = number < 0 ? count + number : number - 1;
+    if (index < 0 || index >= kNone) fail_range(scanner_.line(), number);
+    if (index >= count && index > highest_) {
+      highest_ = index;
+      highest_line_ = scanner_.line();
+    }
+    return static_cast<Index>(index);
+  }
+
+  [[noreturn]] void fail_range(std::size_t line, std::int64_t number) const {
+    scanner_.fail_at(line,
+                     fmt::format("vertex index {} is out of range, there are {} vertices{}", number,
+                                 builder_.vertex_count(), number < 0 ? " before it" : ""));
+  }
+
+  TextScanner scanner_;
+  MeshBuilder builder_;
+  std::vector<Index> corners_;
+  // The highest vertex that a face named before it was defined, if any.
+  std::int64_t highest_ = -1;
+  std::size_t highest_line_ = 0;
+};
+
+}  // namespace
+
+Mesh parse_obj(std::string_view text, std::string_view name) {
+  return ObjReader(text, name).read();
+}
+
+namespace {
+
+// Corners with normals of the same bits share one: `f` names them by their place among all.
+class Normals {
+ public:
+  explicit Normals(const std::vector<std::array<float, 3>>& corners) : distinct_(corners) {
+    // -0 equals 0, and which of the two would stay is the sort's business.
+    for (std::array<float, 3>& normal : distinct_) {
+      for (float& value : normal) value += 0.0f;
+    }
+    std::sort(distinct_.begin(), distinct_.end());
+    distinct_.erase(std::unique(distinct_.begin(), distinct_.end()), distinct_.end());
+  }
+  const std::vector<std::array<float, 3>>& distinct() const { return distinct_; }
+  std::uint64_t number(const std::array<float, 3>& normal) const {
+    const auto found = std::lower_bound(distinct_.begin(), distinct_.end(), normal);
+    return static_cast<std::uint64_t>(found - distinct_.begin()) + 1;
+  }
+
+ private:
+  std::vector<std::array<float, 3>> distinct_;
+};
+
+}  // namespace
+
+std::string format_obj(const Mesh& mesh, Digits digits) {
+  std::string text;
+  text.reserve(mesh.positions.size() * 36 + mesh.triangles.size() * 24 + mesh.quads.size() * 32 +
+               mesh.corner_normals.size() * 16);
+  auto out = std::back_inserter(text);
+  for (const Vec3& p : mesh.positions) {
+    text += "v ";
+    append_position(p, digits, text);
+  }
+  const Normals normals(mesh.corner_normals);
+  for (const std::array<float, 3>& n : normals.distinct()) {
+    fmt::format_to(out, FMT_COMPILE("vn {} {} {}\n"), n[0], n[1], n[2]);
+  }
+  std::size_t corner = 0;
+  const auto write_face = [&](const auto& face) {
+    text += 'f';
+    for (const Index vertex : face) {
+      // In 64 bits, for the last vertex's number is one more than its index.
+      const std::uint64_t number = std::uint64_t{vertex} + 1;
+      if (mesh.corner_normals.empty()) {
+        fmt::format_to(out, FMT_COMPILE(" {}"), number);
+      } else {
+        fmt::format_to(out, FMT_COMPILE(" {}//{}"), number,
+                       normals.number(mesh.corner_normals[corner++]));
+      }
+    }
+    text += '\n';
+  };
+  for (const Triangle& t : mesh.triangles) write_face(t);
+  for (const Quad& q : mesh.quads) write_face(q);
+  return text;
+}
+
+}  // namespace kdm

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+// OFF (Geomview's object file format) in text: colours, normals and texture coordinates of the
+// COFF, NOFF and STOFF variants are passed over.
+#include <fmt/compile.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "io/formats.h"
+#include "io/mesh_builder.h"
+#include "io/text_position.h"
+#include "io/text_scanner.h"
+#include "kdmanifold/error.h"
+
+namespace kdm {
+namespace {
+
+class OffReader {
+ public:
+  OffReader(std::string_view text, std::string_view name)
+      : scanner_(text, name, {.comments = true}) {
+    scanner_.take("\xef\xbb\xbf");
+  }
+
+  Mesh read() {
+    scanner_.find_word();
+    read_keyword();
+    const std::uint64_t vertices = read_count("the number of vertices");
+    const std::uint64_t faces = read_count("the number of faces");
+    scanner_.skip_line();  // the number of edges, which nobody needs
+    // What the header promises is believed only as far as the file is long: "0 0 0\n", "0\n".
+    const std::uint64_t bytes = scanner_.bytes_left();
+    builder_.reserve_vertices(static_cast<std::size_t>(std::min(vertices, bytes / 6 + 1)));
+    builder_.reserve_faces(static_cast<std::size_t>(std::min(faces, bytes / 2 + 1)));
+    for (std::uint64_t i = 0; i < vertices; ++i) read_vertex(i, vertices);
+    for (std::uint64_t i = 0; i < faces; ++i) read_face(i, faces);
+    return builder_.finish();
+  }
+
+ private:
+  // [ST][C][N][4][n]OFF; some files have the counts glued to it, and it may even be missing.
+  void read_keyword() {
+    const char first = scanner_.peek();
+    if (first >= '0' && first <= '9' && first != '4') return;
+    const TextScanner start = scanner_;
+    scanner_.take("ST");
+    scanner_.take("C");
+    scanner_.take("N");
+    const bool four = scanner_.take("4");
+    const bool any_dimension = scanner_.take("n");
+    if (!scanner_.take("OFF")) {
+      scanner_ = start;
+      if (four) return;
+      scanner_.fail_expected("the keyword 'OFF'");
+    }
+    if (four || any_dimension) scanner_.fail("only three coordinates a vertex are supported");
+    TextScanner ahead = scanner_;
+    if (ahead.word() == "BINARY") scanner_.fail("binary OFF is not supported, use the text form");
+  }
+
+  std::uint64_t read_count(const char* what) {
+    scanner_.find_word();
+    const std::int64_t count = scanner_.integer(what);
+    if (count < 0) scanner_.fail(fmt::format("{} is {}, below 0", what, count));
+    return static_cast<std::uint64_t>(count);
+  }
+
+  void read_vertex(std::uint64_t number, std::uint64_t count) {
+    if (!scanner_.find_word()) {
+      scanner_.fail_expected(fmt::format("vertex {} of {}", number + 1, count));
+    }
+    const double x = scanner_.number("coordinate x");
+    const double y = scanner_.number("coordinate y");
+    const double z = scanner_.number("coordinate z");
+    builder_.add_vertex({x, y, z});
+    scanner_.skip_line();
+  }
+
+  void read_face(std::uint64_t number, std::uint64_t count) {
+    if (!scanner_.find_word()) {
+      scanner_.fail_expected(fmt::format("face {} of {}", number + 1, count));
+    }
+    const std::int64_t corners = scanner_.integer("the number of corners");
+    if (corners < 0) scanner_.fail(fmt::format("a face with {} corners", corners));
+    corners_.clear();
+    for (std::int64_t i = 0; i < corners; ++i) {
+      const std::int64_t index = scanner_.integer("a vertex index");
+      if (index < 0 || index >= std::int64_t{builder_.vertex_count()}) {
+        scanner_.fail(fmt::format("vertex index {} is out of range, there are {} vertices (from 0)",
+                                  index, builder_.vertex_count()));
+      }
+      corners_.push_back(static_cast<Index>(index));
+    }
+    builder_.add_face(corners_);
+    scanner_.skip_line();  // a colour may follow
+  }
+
+  TextScanner scanner_;
+  MeshBuilder builder_;
+  std::vector<Index> corners_;
+};
+
+}  // namespace
+
+Mesh parse_off(std::string_view text, std::string_view name) {
+  return OffReader(text, name).read();
+}
+
+std::string format_off(const Mesh& mesh, Digits digits) {
+  std::string text;
+  text.reserve(mesh.positions.size() * 34 + mesh.triangles.size() * 24 + mesh.quads.size() * 32);
+  auto out = std::back_inserter(text);
+  fmt::format_to(out, "OFF\n{} {} 0\n", mesh.positions.size(),
+                 mesh.triangles.size() + mesh.quads.size());
+  for (const Vec3& p : mesh.positions) append_position(p, digits, text);
+  for (const Triangle& t : mesh.triangles) {
+    fmt::format_to(out, FMT_COMPILE("3 {} {} {}\n"), t[0], t[1], t[2]);
+  }
+  for (const Quad& q : mesh.quads) {
+    fmt::format_to(out, FMT_COMPILE("4 {} {} {} {}\n"), q[0], q[1], q[2], q[3]);
+  }
+  return text;
+}
+
+}  // namespace kdm

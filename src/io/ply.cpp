@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: MIT
+// PLY (Stanford polygon format): ASCII and binary of either byte order, polygons and triangle
+// strips; other elements and properties are passed over.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+#include "io/bytes.h"
+#include "io/formats.h"
+#include "io/mesh_builder.h"
+#include "io/ply_header.h"
+#include "io/text_scanner.h"
+
+namespace kdm {
+namespace {
+
+constexpr const char* kAxisNames[] = {"x", "y", "z"};
+
+// Where values come from: text or bytes. Both have the same functions, and `PlyReader` is
+// compiled for each.
+class TextValues {
+ public:
+  TextValues(std::string_view bytes, std::string_view name, const PlyHeader& header)
+      : scanner_(bytes, name) {
+    while (scanner_.offset() < header.bytes) scanner_.skip_line();
+  }
+
+  double number(PlyType, const char* what) {
+    find(what);
+    return scanner_.number(what);
+  }
+  std::int64_t integer(PlyType, const char* what) {
+    find(what);
+    return scanner_.integer(what);
+  }
+  void skip(PlyType) {
+    find("a property");
+    scanner_.word();
+  }
+  // A value and the blank behind it.
+  void require(std::uint64_t count, PlyType, const char* what) {
+    if (count > scanner_.bytes_left()) scanner_.fail_expected(fmt::format("{} {}", count, what));
+  }
+  bool skip_records(const PlyElement&) { return false; }
+  [[noreturn]] void fail(std::string_view message) const { scanner_.fail(message); }
+
+ private:
+  void find(const char* what) {
+    if (!scanner_.find_word()) scanner_.fail_expected(what);
+  }
+
+  TextScanner scanner_;
+};
+
+class BinaryValues {
+ public:
+  BinaryValues(std::string_view bytes, std::string_view name, const PlyHeader& header)
+      : reader_(bytes, name,
+                header.format == PlyFormat::kBigEndian ? ByteOrder::kBig : ByteOrder::kLittle,
+                header.bytes) {}
+
+  double number(PlyType type, const char* what) {
+    start(type, what);
+    const double value = take(type);
+    if (!std::isfinite(value)) fail(fmt::format("{} is not a finite number", what));
+    return value;
+  }
+  std::int64_t integer(PlyType type, const char* what) {
+    const double value = number(type, what);
+    const auto whole = static_cast<std::int64_t>(std::abs(value) < 1e15 ? value : 0);
+    if (static_cast<double>(whole) != value) fail(fmt::format("{} is not a whole number", what));
+    return whole;
+  }
+  void skip(PlyType type) {
+    start(type, "a property");
+    reader_.skip(ply_type_bytes(type));
+  }
+  void require(std::uint64_t count, PlyType type, const char* what) {
+    reader_.require(count, ply_type_bytes(type), what);
+  }
+  // All at once where records have one length; false where they have not.
+  bool skip_records(const PlyElement& element) {
+    if (element.has_list()) return false;
+    reader_.require(element.count, element.record_bytes(), "record of " + quoted(element.name));
+    reader_.skip(static_cast<std::size_t>(element.count) * element.record_bytes());
+    return true;
+  }
+  // Messages point at the value that was read last.
+  [[noreturn]] void fail(std::string_view message) const { reader_.fail_at(value_at_, message); }
+
+ private:
+  void start(PlyType type, const char* what) {
+    value_at_ = reader_.offset();
+    if (reader_.bytes_left() < ply_type_bytes(type)) {
+      reader_.fail(fmt::format("the file ends where {} is expected", what));
+    }
+  }
+  double take(PlyType type) {
+    switch (type) {
+      case PlyType::kInt8:
+        return reader_.take<std::int8_t, std::uint8_t>();
+      case PlyType::kUint8:
+        return reader_.take_unsigned<std::uint8_t>();
+      case PlyType::kInt16:
+        return reader_.take<std::int16_t, std::uint16_t>();
+      case PlyType::kUint16:
+        return reader_.take_unsigned<std::uint16_t>();
+      case PlyType::kInt32:
+        return reader_.take<std::int32_t, std::uint32_t>();
+      case PlyType::kUint32:
+        return reader_.take_unsigned<std::uint32_t>();
+      case PlyType::kFloat32:
+        return double{reader_.take<float, std::uint32_t>()};
+      case PlyType::kFloat64:
+        return reader_.take<double, std::uint64_t>();
+    }
+    return 0;
+  }
+
+  ByteReader reader_;
+  std::size_t value_at_ = 0;
+};
+
+template <typename Values>
+class PlyReader {
+ public:
+  PlyReader(std::string_view bytes, std::string_view name, const PlyHeader& header)
+      : values_(bytes, name, header), header_(header), names_(bytes, name) {}
+
+  Mesh read() {
+    // Faces may stand before the vertices: the header knows how many there will be.
+    for (const PlyElement& element : header_.elements) {
+      if (element.name == "vertex") vertices_ += element.count;
+    }
+    for (const PlyElement& element : header_.elements) {
+      if (element.name == "vertex") {
+        read_vertices(element);
+      } else if (element.name == "face" || element.name == "tristrips") {
+        read_faces(element, element.name == "tristrips");
+      } else {
+        skip_element(element);
+      }
+    }
+    return builder_.finish();
+  }
+
+ private:
+  void read_vertices(const PlyElement& element) {
+    const std::size_t count = element.properties.size();
+    std::vector<int> axis_of(count, -1);
+    for (int axis = 0; axis < 3; ++axis) {
+      const std::size_t i = element.find(kAxisNames[axis]);
+      if (i == count || element.properties[i].is_list) {
+        names_.fail_at(element.line,
+                       fmt::format("element vertex has no number called '{}'", kAxisNames[axis]));
+      }
+      axis_of[i] = axis;
+    }
+    // Every coordinate takes a byte at least, so this cannot ask for more than the file is worth.
+    values_.require(element.count, PlyType::kUint8, "vertices");
+    builder_.reserve_vertices(static_cast<std::size_t>(element.count));
+    for (std::uint64_t i = 0; i < element.count; ++i) {
+      Vec3 position;
+      for (std::size_t j = 0; j < count; ++j) {
+        const PlyProperty& property = element.properties[j];
+        if (axis_of[j] >= 0) {
+          position[axis_of[j]] = values_.number(property.type, "a coordinate");
+        } else {
+          skip_property(property);
+        }
+      }
+      builder_.add_vertex(position);
+    }
+  }
+
+  void read_faces(const PlyElement& element, bool strips) {
+    std::size_t list = element.find("vertex_indices");
+    if (list == element.properties.size()) list = element.find("vertex_index");
+    if (list == element.properties.size() || !element.properties[list].is_list) {
+      names_.fail_at(element.line,
+                     "element " + quoted(element.name) + " has no list called 'vertex_indices'");
+    }
+    values_.require(element.count, element.properties[list].count_type, "faces");
+    if (!strips) builder_.reserve_faces(static_cast<std::size_t>(element.count));
+    for (std::uint64_t i = 0; i < element.count; ++i) {
+      for (std::size_t j = 0; j < element.properties.size(); ++j) {
+        if (j == list) {
+          read_corners(element.properties[j], strips);
+        } else {
+          skip_property(element.properties[j]);
+        }
+      }
+      if (strips) {
+        add_strip();
+      } else {
+        builder_.add_face(corners_);
+      }
+    }
+  }
+
+  void read_corners(const PlyProperty& list, bool strips) {
+    const std::int64_t count = read_length(list);
+    corners_.clear();
+    for (std::int64_t i = 0; i < count; ++i) {
+      const std::int64_t index = values_.integer(list.type, "a vertex index");
+      if (strips && index == -1) {  // the next strip begins
+        corners_.push_back(kNone);
+        continue;
+      }
+      if (index < 0 || static_cast<std::uint64_t>(index) >= vertices_) {
+        values_.fail(fmt::format("vertex index {} is out of range, there are {} vertices (from 0)",
+                                 index, vertices_));
+      }
+      corners_.push_back(static_cast<Index>(index));
+    }
+  }
+
+  // Each corner makes a triangle with the two before it, turned over every other time. A repeated
+  // corner is how strips change direction.
+  void add_strip() {
+    std::size_t start = 0;
+    for (std::size_t i = 0; i < corners_.size(); ++i) {
+      if (corners_[i] == kNone) {
+        start = i + 1;
+      } else if (i >= start + 2) {
+        Triangle t = {corners_[i - 2], corners_[i - 1], corners_[i]};
+        if ((i - start) % 2 == 1) std::swap(t[0], t[1]);
+        if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) builder_.add_face(t.data(), 3);
+      }
+    }
+  }
+
+  std::int64_t read_length(const PlyProperty& list) {
+    const std::int64_t count = values_.integer(list.count_type, "the length of a list");
+    if (count < 0) values_.fail(fmt::format("a list of length {}", count));
+    values_.require(static_cast<std::uint64_t>(count), list.type, "list items");
+    return count;
+  }
+
+  void skip_property(const PlyProperty& property) {
+    const std::int64_t count = property.is_list ? read_length(property) : 1;
+    for (std::int64_t i = 0; i < count; ++i) values_.skip(property.type);
+  }
+
+  void skip_element(const PlyElement& element) {
+    if (element.properties.empty() || values_.skip_records(element)) return;
+    for (std::uint64_t i = 0; i < element.count; ++i) {
+      for (const PlyProperty& property : element.properties) skip_property(property);
+    }
+  }
+
+  Values values_;
+  const PlyHeader& header_;
+  TextScanner names_;  // for messages about the header
+  MeshBuilder builder_;
+  std::vector<Index> corners_;
+  std::uint64_t vertices_ = 0;
+};
+
+}  // namespace
+
+Mesh parse_ply(std::string_view bytes, std::string_view name) {
+  const PlyHeader header = parse_ply_header(bytes, name);
+  if (header.format == PlyFormat::kAscii) {
+    return PlyReader<TextValues>(bytes, name, header).read();
+  }
+  return PlyReader<BinaryValues>(bytes, name, header).read();
+}
+
+std::string format_ply(const Mesh& mesh) {
+  std::string out;
+  out.reserve(256 + mesh.positions.size() * 12 + mesh.triangles.size() * 13 +
+              mesh.quads.size() * 17);
+  fmt::format_to(std::back_inserter(out),
+                 "ply\nformat binary_little_endian 1.0\ncomment kdmanifold\n"
+                 "element vertex {}\nproperty float x\nproperty float y\nproperty float z\n"
+                 "element face {}\nproperty list uchar int vertex_indices\nend_header\n",
+                 mesh.positions.size(), mesh.triangles.size() + mesh.quads.size());
+  for (const Vec3& p : mesh.positions) {
+    for (int axis = 0; axis < 3; ++axis) append_f32(out, static_cast<float>(p[axis]));
+  }
+  for (const Triangle& t : mesh.triangles) {
+    append_u8(out, 3);
+    for (Index i : t) append_u32(out, i);
+  }
+  for (const Quad& q : mesh.quads) {
+    append_u8(out, 4);
+    for (Index i : q) append_u32(out, i);
+  }
+  return out;
+}
+
+}  // namespace kdm

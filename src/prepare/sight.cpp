@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+// The ray is sheared onto an axis; then a triangle is hit if the origin lies within its outline,
+// and the signs on either side of an edge are each other's negative exactly (S. Woop, C. Benthin,
+// I. Wald, Watertight Ray/Triangle Intersection, 2013).
+#include "prepare/sight.h"
+
+#include <cmath>
+
+namespace kdm {
+namespace {
+
+constexpr double kOverlooked = 1e-7;
+
+class ShearedRay {
+ public:
+  ShearedRay(const Vec3& origin, const Vec3& direction) : origin_(origin) {
+    direction.cwiseAbs().maxCoeff(&z_);
+    x_ = (z_ + 1) % 3;
+    y_ = (z_ + 2) % 3;
+    shear_x_ = direction[x_] / direction[z_];
+    shear_y_ = direction[y_] / direction[z_];
+    forward_ = direction[z_] > 0;
+  }
+
+  /// Whether it meets the triangle further than `nearest` along the ray's longest axis.
+  bool meets(const Vec3& a, const Vec3& b, const Vec3& c, double nearest) const {
+    const Vec3 p = sheared(a);
+    const Vec3 q = sheared(b);
+    const Vec3 r = sheared(c);
+    const double u = r[0] * q[1] - r[1] * q[0];
+    const double v = p[0] * r[1] - p[1] * r[0];
+    const double w = q[0] * p[1] - q[1] * p[0];
+    if ((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0)) return false;
+    const double sum = u + v + w;
+    if (sum == 0) return false;  // edge on: its neighbours stop the ray
+    const double distance = (u * p[2] + v * q[2] + w * r[2]) / sum;
+    return (forward_ ? distance : -distance) > nearest;
+  }
+
+ private:
+  Vec3 sheared(const Vec3& point) const {
+    const Vec3 p = point - origin_;
+    return {p[x_] - shear_x_ * p[z_], p[y_] - shear_y_ * p[z_], p[z_]};
+  }
+
+  Vec3 origin_;
+  int x_ = 0;
+  int y_ = 1;
+  int z_ = 2;
+  double shear_x_ = 0;
+  double shear_y_ = 0;
+  bool forward_ = true;
+};
+
+std::vector<Index> numbers_of(const std::vector<char>& left_out) {
+  std::vector<Index> numbers;
+  for (Index t = 0; t < left_out.size(); ++t) {
+    if (left_out[t] == 0) numbers.push_back(t);
+  }
+  return numbers;
+}
+
+std::vector<Box> boxes_of(std::span<const Triangle> triangles, const std::vector<Vec3>& points,
+                          const std::vector<Index>& numbers) {
+  std::vector<Box> boxes;
+  boxes.reserve(numbers.size());
+  for (const Index t : numbers) {
+    const Vec3& a = points[triangles[t][0]];
+    const Vec3& b = points[triangles[t][1]];
+    const Vec3& c = points[triangles[t][2]];
+    boxes.push_back({a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)});
+  }
+  return boxes;
+}
+
+}  // namespace
+
+Sight::Sight(std::span<const Triangle> triangles, const std::vector<Vec3>& points,
+             const std::vector<char>& left_out)
+    : triangles_(triangles),
+      points_(points),
+      number_(numbers_of(left_out)),
+      boxes_(boxes_of(triangles, points, number_)),
+      tree_(boxes_) {
+  if (boxes_.empty()) return;
+  Box all = boxes_[0];
+  for (const Box& box : boxes_) {
+    all.min = all.min.cwiseMin(box.min);
+    all.max = all.max.cwiseMax(box.max);
+  }
+  nearest_ = kOverlooked * (all.max - all.min).norm();
+}
+
+bool Sight::escapes(const Vec3& origin, const Vec3& direction, Index from) const {
+  const ShearedRay ray(origin, direction);
+  return !tree_.any_along(origin, direction, [&](Index i) {
+    const Triangle& t = triangles_[number_[i]];
+    return number_[i] != from && ray.meets(points_[t[0]], points_[t[1]], points_[t[2]], nearest_);
+  });
+}
+
+// Points of a cube within its sphere, from a linear congruential generator.
+std::vector<Vec3> spread_directions(Index count) {
+  std::uint64_t state = 0x9e3779b97f4a7c15u;
+  const auto coordinate = [&] {
+    state = state * 6364136223846793005u + 1442695040888963407u;
+    return static_cast<double>(state >> 40) / (1 << 23) - 1 + 0x1p-25;
+  };
+  std::vector<Vec3> directions;
+  while (directions.size() < count) {
+    const double x = coordinate();
+    const double y = coordinate();
+    const double z = coordinate();
+    const Vec3 p(x, y, z);
+    const double square = p.squaredNorm();
+    if (square <= 1 && square > 0.01) directions.emplace_back(p / std::sqrt(square));
+  }
+  return directions;
+}
+
+}  // namespace kdm

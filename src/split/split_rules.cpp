@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// The split rules that look at depth or triangle counts only: uniform, median (paper 5.1.2 (1)).
+#include "split/split_rules.h"
+
+#include <algorithm>
+
+namespace kdm {
+namespace {
+
+class UniformRule : public SplitRule {
+ public:
+  explicit UniformRule(int depth) : depth_(depth) {}
+
+  std::optional<Split> choose(const CellView& cell) override {
+    return cell.depth < depth_ ? midpoint_in_turn(cell.box, cell.depth) : std::nullopt;
+  }
+
+ private:
+  int depth_;
+};
+
+/// Paper 5.1.2 (1): a triangle belongs to the cell that holds its centre; cells are cut at the
+/// median of their triangles' centres until a grid edge has met each of them.
+class MedianRule : public SplitRule {
+ public:
+  MedianRule(const Surface& surface, int depth) : depth_(depth) {
+    met_.assign(surface.triangles.size(), 0);
+    centres_.reserve(surface.triangles.size());
+    for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
+      if (surface.degenerate[i] != 0) continue;
+      const LatticeTriangle& t = surface.triangles[i];
+      Centre centre{{}, static_cast<Index>(i)};
+      for (int k = 0; k < 3; ++k) centre.point[k] = (t[0][k] + t[1][k] + t[2][k]) / 3;
+      centres_.push_back(centre);
+    }
+  }
+
+  RuleRange root() override { return {0, static_cast<Index>(centres_.size())}; }
+
+  std::optional<Split> choose(const CellView& cell) override {
+    if (cell.depth >= depth_) return std::nullopt;
+    const auto begin = centres_.begin() + cell.range.begin;
+    const auto end = centres_.begin() + cell.range.end;
+    if (std::all_of(begin, end, [&](const Centre& c) { return met_[c.triangle] != 0; })) {
+      return std::nullopt;
+    }
+    // Axes in order of the spread of the centres, then of the box.
+    LatticeBox spread{begin->point, begin->point};
+    for (auto i = begin; i != end; ++i) {
+      for (int k = 0; k < 3; ++k) {
+        spread.lo[k] = std::min(spread.lo[k], i->point[k]);
+        spread.hi[k] = std::max(spread.hi[k], i->point[k]);
+      }
+    }
+    std::array<int, 3> axes{0, 1, 2};
+    std::sort(axes.begin(), axes.end(), [&](int a, int b) {
+      const auto key = [&](int k) {
+        return std::array<std::int32_t, 3>{spread.hi[k] - spread.lo[k],
+                                           cell.box.hi[k] - cell.box.lo[k], -k};
+      };
+      return key(a) > key(b);
+    });
+    for (const int axis : axes) {
+      const auto middle = begin + (end - begin - 1) / 2;
+      std::nth_element(begin, middle, end, [axis](const Centre& a, const Centre& b) {
+        return a.point[axis] != b.point[axis] ? a.point[axis] < b.point[axis]
+                                              : a.triangle < b.triangle;
+      });
+      const std::int32_t value = middle->point[axis];
+      if (value > cell.box.lo[axis] && value < cell.box.hi[axis]) return Split{axis, value};
+    }
+    return std::nullopt;
+  }
+
+  std::array<RuleRange, 2> divide(RuleRange range, const Split& split) override {
+    const auto begin = centres_.begin() + range.begin;
+    const auto end = centres_.begin() + range.end;
+    const auto cut = std::partition(
+        begin, end, [&](const Centre& c) { return below_plane(c.point[split.axis], split.value); });
+    const auto middle = static_cast<Index>(cut - centres_.begin());
+    return {RuleRange{range.begin, middle}, RuleRange{middle, range.end}};
+  }
+
+  void on_crossing(Index triangle) override { met_[triangle] = 1; }
+
+ private:
+  struct Centre {
+    LatticePoint point;
+    Index triangle;
+  };
+
+  int depth_;
+  std::vector<Centre> centres_;  // each cell's are consecutive
+  std::vector<char> met_;        // per triangle
+};
+
+}  // namespace
+
+std::optional<Split> midpoint_in_turn(const LatticeBox& box, int depth) {
+  const int axis = depth % 3;
+  const std::int32_t value = box.lo[axis] + (box.hi[axis] - box.lo[axis]) / 2;
+  if (value == box.lo[axis]) return std::nullopt;
+  return Split{axis, value};
+}
+
+std::unique_ptr<SplitRule> make_split_rule(const Surface& surface, const BuildOptions& options,
+                                           double tolerance, int depth) {
+  switch (options.strategy) {
+    case SplitStrategy::kUniform:
+      return std::make_unique<UniformRule>(depth);
+    case SplitStrategy::kMedian:
+      return std::make_unique<MedianRule>(surface, depth);
+    case SplitStrategy::kOctree:
+      return make_adaptive_rule(surface, tolerance, depth, SplitPlacing::kInTurn);
+    case SplitStrategy::kFeature:
+      return make_adaptive_rule(surface, tolerance, depth, SplitPlacing::kFeature);
+    case SplitStrategy::kAdaptive:
+      return make_adaptive_rule(surface, tolerance, depth, SplitPlacing::kHalving);
+  }
+  return nullptr;
+}
+
+}  // namespace kdm

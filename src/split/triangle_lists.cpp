@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+// Partition of a cell's triangles by a plane.
+#include "split/triangle_lists.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/predicates.h"
+
+namespace kdm {
+namespace {
+
+// Bounds come from rounded arithmetic whose error is far below this, and are widened by it: a
+// list may hold a triangle too many, never one too few.
+constexpr double kSlack = 1e-3;
+
+// Lattice coordinates are not negative, so truncation rounds down.
+std::int32_t round_down(double x) { return static_cast<std::int32_t>(x - kSlack); }
+std::int32_t round_up(double x) { return static_cast<std::int32_t>(x + kSlack) + 1; }
+
+// May the triangle's plane meet the bounds?
+bool plane_meets(const LatticeTriangle& t, const ListEntry& part) {
+  const auto normal = area_vector(t);
+  double middle = 0;
+  double reach = 0;
+  double size = 0;
+  for (int i = 0; i < 3; ++i) {
+    const auto n = static_cast<double>(normal[i]);
+    middle += n * (0.5 * (part.lo[i] + part.hi[i]) - t[0][i]);
+    reach += std::abs(n) * (0.5 * (part.hi[i] - part.lo[i]));
+    size += std::abs(n);
+  }
+  return std::abs(middle) <= reach + kSlack * size;
+}
+
+// Is there a part? A corner within the bounds proves it; else the plane must meet them.
+bool meets(const LatticeTriangle& t, const ListEntry& part) {
+  for (int i = 0; i < 3; ++i) {
+    if (part.lo[i] > part.hi[i]) return false;
+  }
+  for (const LatticePoint& p : t) {
+    bool within = true;
+    for (int i = 0; i < 3; ++i) within &= p[i] >= part.lo[i] && p[i] <= part.hi[i];
+    if (within) return true;
+  }
+  return plane_meets(t, part);
+}
+
+}  // namespace
+
+TriangleLists::TriangleLists(const std::vector<LatticeTriangle>& triangles)
+    : triangles_(triangles) {
+  make_room(3 * triangles.size());
+  for (const LatticeTriangle& t : triangles) {
+    ListEntry& entry = arena_[all_];
+    entry.triangle = all_++;
+    for (int k = 0; k < 3; ++k) {
+      entry.lo[k] = std::min({t[0][k], t[1][k], t[2][k]});
+      entry.hi[k] = std::max({t[0][k], t[1][k], t[2][k]});
+    }
+  }
+  size_ = all_;
+}
+
+void TriangleLists::make_room(std::size_t entries) {
+  if (size_ + entries <= capacity_) return;
+  const std::size_t capacity = std::max(size_ + entries, 2 * capacity_);
+  std::unique_ptr<ListEntry[]> larger(new ListEntry[capacity]);
+  std::copy(arena_.get(), arena_.get() + size_, larger.get());
+  arena_ = std::move(larger);
+  capacity_ = capacity;
+}
+
+TriangleLists::Children TriangleLists::divide(ListRange parent, int axis, std::int32_t value) {
+  straddlers_.clear();
+  above_.clear();
+  make_room(2 * std::size_t{parent.size()});
+  const Index first_below = size_;
+  for (Index i = parent.begin; i < parent.end; ++i) {
+    const ListEntry& entry = arena_[i];
+    if (entry.hi[axis] <= value) {
+      arena_[size_++] = entry;
+    } else if (entry.lo[axis] > value) {
+      above_.push_back(entry);
+    } else {
+      straddlers_.push_back(i);
+      divide_straddler(entry, axis, value);
+    }
+  }
+  const Index first_above = size_;
+  std::copy(above_.begin(), above_.end(), arena_.get() + size_);
+  size_ += static_cast<Index>(above_.size());
+  return {{first_below, first_above}, {first_above, size_}};
+}
+
+// The part on each side lies within the bounds of the triangle's corners on that side and of the
+// two points where its outline crosses the plane, and within the parent's bounds.
+void TriangleLists::divide_straddler(const ListEntry& entry, int axis, std::int32_t value) {
+  const LatticeTriangle& t = triangles_[entry.triangle];
+  const int u = next_axis(axis);
+  const int v = previous_axis(axis);
+  constexpr std::int32_t kFar = 4 * kLatticeSize;
+  std::array<LatticePoint, 2> lo{{{kFar, kFar, kFar}, {kFar, kFar, kFar}}};  // below, above
+  std::array<LatticePoint, 2> hi{{{-kFar, -kFar, -kFar}, {-kFar, -kFar, -kFar}}};
+  const auto add = [&](int side, int k, std::int32_t low, std::int32_t high) {
+    lo[side][k] = std::min(lo[side][k], low);
+    hi[side][k] = std::max(hi[side][k], high);
+  };
+  for (int i = 0; i < 3; ++i) {
+    const LatticePoint& a = t[i];
+    const LatticePoint& b = t[i == 2 ? 0 : i + 1];
+    for (int side = 0; side < 2; ++side) {
+      if (side == 0 ? a[axis] > value : a[axis] < value) continue;
+      // The plane lies infinitely little above its value: from a corner on it, the part below
+      // extends a little along the sides that rise.
+      const std::int32_t reach = side == 0 && a[axis] == value ? 1 : 0;
+      for (int k = 0; k < 3; ++k) add(side, k, a[k] - reach, a[k] + reach);
+    }
+    if ((a[axis] < value) == (b[axis] < value) || a[axis] == value || b[axis] == value) continue;
+    const double s = static_cast<double>(value - a[axis]) / (b[axis] - a[axis]);
+    for (const int k : {u, v}) {
+      const double crossing = a[k] + s * (b[k] - a[k]);
+      const std::int32_t low = round_down(crossing);
+      const std::int32_t high = round_up(crossing);
+      add(0, k, low, high);
+      add(1, k, low, high);
+    }
+  }
+  for (int side = 0; side < 2; ++side) {
+    ListEntry part;
+    part.triangle = entry.triangle;
+    for (int k = 0; k < 3; ++k) {
+      part.lo[k] = std::max(lo[side][k], entry.lo[k]);
+      part.hi[k] = std::min(hi[side][k], entry.hi[k]);
+    }
+    if (side == 0) part.hi[axis] = value;
+    if (side == 1) part.lo[axis] = value;
+    if (!meets(t, part)) continue;
+    if (side == 0) {
+      arena_[size_++] = part;
+    } else {
+      above_.push_back(part);
+    }
+  }
+}
+
+}  // namespace kdm

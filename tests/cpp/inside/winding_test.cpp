@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+// The walk along one edge: which crossings bound the solid, for each inside rule.
+#include "inside/winding.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <string>
+
+#include "support/random.h"
+
+namespace kdm {
+namespace {
+
+constexpr std::array<InsideRule, 3> kRules{InsideRule::kPositive, InsideRule::kOdd,
+                                           InsideRule::kNonzero};
+
+// Crossings by their positions, numbered in turn; '<' enters (the normal points down the edge) and
+// '>' leaves. The kept ones come back in the same notation.
+std::string kept(const std::vector<std::pair<char, LinePosition>>& input, InsideRule rule,
+                 int winding_below = 0) {
+  std::vector<Crossing> crossings;
+  for (const auto& [direction, position] : input) {
+    crossings.push_back({position, static_cast<Index>(crossings.size()), direction == '>'});
+  }
+  std::vector<WalkedCrossing> walked;
+  walk_edge(crossings, winding_below, rule, walked);
+  std::string text;
+  for (const WalkedCrossing& w : walked) {
+    if (w.kept) text += (w.leaving ? '>' : '<') + std::to_string(w.crossing.position) + ' ';
+  }
+  return text;
+}
+
+TEST(Winding, NothingToWalk) {
+  std::vector<Crossing> none;
+  std::vector<WalkedCrossing> walked(3);
+  EXPECT_EQ(walk_edge(none, 2, InsideRule::kPositive, walked), 2);
+  EXPECT_TRUE(walked.empty());
+}
+
+TEST(Winding, ASolidIsEnteredAndLeftUnderEveryRule) {
+  for (const InsideRule rule : kRules) {
+    EXPECT_EQ(kept({{'<', 10}, {'>', 20}}, rule), "<10 >20 ");
+    EXPECT_EQ(kept({{'>', 20}, {'<', 10}}, rule), "<10 >20 ") << "sorted by position";
+  }
+}
+
+TEST(Winding, NestedShellsAreOneSolidUnlessOddCounts) {
+  const std::vector<std::pair<char, LinePosition>> nested{{'<', 1}, {'<', 2}, {'>', 3}, {'>', 4}};
+  EXPECT_EQ(kept(nested, InsideRule::kPositive), "<1 >4 ");
+  EXPECT_EQ(kept(nested, InsideRule::kNonzero), "<1 >4 ");
+  EXPECT_EQ(kept(nested, InsideRule::kOdd), "<1 >2 <3 >4 ");
+}
+
+TEST(Winding, ACavityIsLeftOut) {
+  const std::vector<std::pair<char, LinePosition>> hollow{{'<', 1}, {'>', 2}, {'<', 3}, {'>', 4}};
+  for (const InsideRule rule : kRules) EXPECT_EQ(kept(hollow, rule), "<1 >2 <3 >4 ");
+}
+
+TEST(Winding, OverlappingShellsAreTheirUnion) {
+  const std::vector<std::pair<char, LinePosition>> chain{{'<', 1}, {'<', 2}, {'>', 3},
+                                                         {'<', 4}, {'>', 5}, {'>', 6}};
+  EXPECT_EQ(kept(chain, InsideRule::kPositive), "<1 >6 ");
+  EXPECT_EQ(kept(chain, InsideRule::kNonzero), "<1 >6 ");
+  EXPECT_EQ(kept(chain, InsideRule::kOdd), "<1 >2 <3 >4 <5 >6 ");
+}
+
+TEST(Winding, AShellInsideOutIsASolidForOddAndNonzeroOnly) {
+  // Its own crossings run the wrong way; the kept ones say what the solid does.
+  const std::vector<std::pair<char, LinePosition>> turned{{'>', 1}, {'<', 2}};
+  EXPECT_EQ(kept(turned, InsideRule::kPositive), "");
+  EXPECT_EQ(kept(turned, InsideRule::kOdd), "<1 >2 ");
+  EXPECT_EQ(kept(turned, InsideRule::kNonzero), "<1 >2 ");
+}
+
+TEST(Winding, DoubledFacesAreOneHit) {
+  const std::vector<std::pair<char, LinePosition>> doubled{{'<', 1}, {'<', 1}, {'>', 9}, {'>', 9}};
+  EXPECT_EQ(kept(doubled, InsideRule::kPositive), "<1 >9 ");
+  EXPECT_EQ(kept(doubled, InsideRule::kNonzero), "<1 >9 ");
+  EXPECT_EQ(kept(doubled, InsideRule::kOdd), "");
+}
+
+TEST(Winding, OppositeFacesAtOnePositionVanish) {
+  const std::vector<std::pair<char, LinePosition>> flap{{'<', 1}, {'>', 5}, {'<', 5}, {'>', 9}};
+  for (const InsideRule rule : kRules) {
+    EXPECT_EQ(kept(flap, rule), "<1 >9 ");
+    EXPECT_EQ(kept({{'<', 5}, {'>', 5}}, rule), "");
+    EXPECT_EQ(kept({{'>', 5}, {'<', 5}}, rule), "");
+  }
+}
+
+TEST(Winding, TheWalkStartsFromTheWindingBelow) {
+  EXPECT_EQ(kept({{'>', 3}}, InsideRule::kPositive, 1), ">3 ");
+  EXPECT_EQ(kept({{'>', 3}}, InsideRule::kPositive, 2), "");
+  EXPECT_EQ(kept({{'>', 3}}, InsideRule::kPositive, 0), "");
+  EXPECT_EQ(kept({{'>', 3}}, InsideRule::kNonzero, 0), "<3 ");
+  EXPECT_EQ(kept({{'<', 3}}, InsideRule::kNonzero, -1), ">3 ");
+  EXPECT_EQ(kept({{'<', 3}}, InsideRule::kOdd, -3), ">3 ");
+}
+
+TEST(Winding, OfSeveralAtOnePositionTheFirstThatFitsIsKept) {
+  std::vector<Crossing> crossings{{7, 5, true}, {7, 2, false}, {7, 9, false}, {7, 4, false}};
+  std::vector<WalkedCrossing> walked;
+  EXPECT_EQ(walk_edge(crossings, 0, InsideRule::kPositive, walked), 2);
+  ASSERT_EQ(walked.size(), 4u);
+  for (const WalkedCrossing& w : walked) {
+    EXPECT_EQ(w.kept, w.crossing.triangle == 2) << w.crossing.triangle;
+    EXPECT_EQ(w.winding_after, 2);
+  }
+  // The order in which they were found does not count.
+  std::vector<Crossing> reversed{{7, 4, false}, {7, 9, false}, {7, 2, false}, {7, 5, true}};
+  walk_edge(reversed, 0, InsideRule::kPositive, walked);
+  for (const WalkedCrossing& w : walked) EXPECT_EQ(w.kept, w.crossing.triangle == 2);
+}
+
+bool inside(InsideRule rule, int winding) {
+  if (rule == InsideRule::kPositive) return winding >= 1;
+  return rule == InsideRule::kOdd ? std::abs(winding) % 2 == 1 : winding != 0;
+}
+
+TEST(Winding, RandomEdgesAgreeWithCountingAtEveryPosition) {
+  check::Random random(1);
+  for (int round = 0; round < 5000; ++round) {
+    const InsideRule rule = kRules[round % 3];
+    const int start = static_cast<int>(random.below(7)) - 3;
+    std::vector<Crossing> crossings;
+    std::map<LinePosition, int> change;
+    const Index count = random.below(12);
+    for (Index i = 0; i < count; ++i) {
+      crossings.push_back({random.below(6), i, random.coin()});
+      change[crossings.back().position] += crossings.back().leaving ? -1 : 1;
+    }
+    std::map<LinePosition, bool> expected;  // where the rule changes, and whether it is left
+    std::map<LinePosition, int> after;
+    int winding = start;
+    for (const auto& [position, difference] : change) {
+      const bool was = inside(rule, winding);
+      winding += difference;
+      after[position] = winding;
+      if (was != inside(rule, winding)) expected[position] = was;
+    }
+    std::vector<WalkedCrossing> walked;
+    ASSERT_EQ(walk_edge(crossings, start, rule, walked), winding) << "the sum of all";
+    ASSERT_EQ(walked.size(), count);
+    std::map<LinePosition, bool> result;
+    bool leaving = inside(rule, start);
+    for (const WalkedCrossing& w : walked) {
+      ASSERT_EQ(w.winding_after, after[w.crossing.position]);
+      if (!w.kept) continue;
+      ASSERT_TRUE(result.emplace(w.crossing.position, w.leaving).second) << "one a position";
+      ASSERT_EQ(w.leaving, leaving) << "kept hits alternate";
+      leaving = !leaving;
+    }
+    ASSERT_EQ(result, expected) << "round " << round;
+  }
+}
+
+}  // namespace
+}  // namespace kdm

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+// Cracks are closed, openings and neighbours that only lie close are not.
+#include "prepare/sew.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "mesh/topology.h"
+#include "support/shapes.h"
+#include "support/sheets.h"
+
+namespace kdm {
+namespace {
+
+struct Sewn {
+  Index edges;
+  std::vector<Triangle> triangles;
+  std::vector<Vec3> points;
+
+  Topology topology() const { return build_topology(triangles, static_cast<Index>(points.size())); }
+};
+
+Sewn sewn(const Mesh& mesh, double distance) {
+  Sewn result{0, mesh.triangles, mesh.positions};
+  result.edges = sew_rims(distance, result.triangles, result.points);
+  return result;
+}
+
+void expect_untouched(const Mesh& mesh, double distance) {
+  const Sewn result = sewn(mesh, distance);
+  EXPECT_EQ(result.edges, 0u);
+  EXPECT_EQ(result.triangles, mesh.triangles);
+  EXPECT_EQ(result.points, mesh.positions);
+}
+
+double farthest_move(const Mesh& mesh, const Sewn& result) {
+  double farthest = 0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (int i = 0; i < 3; ++i) {
+      const Vec3 move =
+          result.points[result.triangles[t][i]] - mesh.positions[mesh.triangles[t][i]];
+      farthest = std::max(farthest, move.norm());
+    }
+  }
+  return farthest;
+}
+
+TEST(Sew, TornTrianglesFindTheirNeighbours) {
+  const Mesh intact = shapes::icosphere(3);
+  const Mesh torn = shapes::jittered(shapes::soup(intact), 0.004, 5);
+  const Sewn result = sewn(torn, 0.02);
+  EXPECT_EQ(result.edges, 3 * intact.triangles.size() / 2);
+  EXPECT_TRUE(result.topology().closed());
+  EXPECT_EQ(result.topology().components, 1u);
+  EXPECT_EQ(result.topology().non_manifold_edges, 0u);
+  EXPECT_GT(farthest_move(torn, result), 0);
+  EXPECT_LT(farthest_move(torn, result), 0.02);
+}
+
+TEST(Sew, WhereTheyRunTheSameWayAsWell) {
+  Mesh torn = shapes::jittered(shapes::soup(shapes::icosphere(2)), 0.004, 6);
+  for (std::size_t t = 0; t < torn.triangles.size(); t += 3) {
+    std::swap(torn.triangles[t][0], torn.triangles[t][1]);
+  }
+  EXPECT_EQ(sewn(torn, 0.02).topology().boundary_edges, 0u);
+}
+
+TEST(Sew, ASlitWithCommonEndsIsClosed) {
+  // Two triangles that share one corner; the other ends of the slit gape.
+  Mesh mesh;
+  mesh.positions = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(1, 0.01, 0), Vec3(0, -1, 0)};
+  mesh.triangles = {{0, 3, 2}, {0, 4, 1}};
+  const Sewn result = sewn(mesh, 0.02);
+  EXPECT_EQ(result.edges, 1u);
+  EXPECT_EQ(result.triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 4, 1}}));
+  EXPECT_EQ(result.points[1], Vec3(1, 0.005, 0));
+  EXPECT_EQ(sewn(mesh, 0.009).edges, 0u);
+}
+
+TEST(Sew, OpeningsStayOpen) {
+  expect_untouched(shapes::open(shapes::cube(), 2), 0.3);
+  for (const shapes::OpenShape& shape : shapes::open_shapes()) {
+    SCOPED_TRACE(shape.name);
+    expect_untouched(shape.mesh, 1e-3);
+  }
+}
+
+TEST(Sew, ClosedPartsStayApartHoweverClose) {
+  const Mesh cube = shapes::cube();
+  expect_untouched(shapes::merged({cube, shapes::translated(cube, Vec3(1.001, 0, 0))}), 0.1);
+}
+
+// Sides shorter than the distance do not shrink to points.
+TEST(Sew, SmallTrianglesKeepTheirSize) {
+  expect_untouched(shapes::grid_sheet(10, 10, [](double, double) { return 0; }), 1);
+}
+
+TEST(Sew, ThousandsInOnePlaceTakeNoTime) {
+  Mesh mesh;
+  for (Index i = 0; i < 20000; ++i) {
+    const double x = 1e-9 * i;
+    for (const Vec3& p : {Vec3(x, 0, 0), Vec3(x + 1, 0, 0), Vec3(x, 1, 0)}) {
+      mesh.positions.push_back(p);
+    }
+    mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  const Sewn result = sewn(mesh, 0.01);
+  EXPECT_EQ(result.triangles.size(), mesh.triangles.size());
+  EXPECT_LT(farthest_move(mesh, result), 0.01);
+}
+
+}  // namespace
+}  // namespace kdm
