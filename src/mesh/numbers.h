@@ -12,13 +12,12 @@ using TriangleId = Index;  ///< a face of the input that construction sees
 using SideId = Index;      ///< side 3t + i of triangle t leads from its corner i to the next one
 
 // Of a grid; grid/grid_data.h has the sketch.
-using CellId = Index;   ///< a node of the kd-tree; 0 is the root
-using SplitId = Index;  ///< an inner cell by the order in which the splits were made
-using EdgeId = Index;   ///< splitting edge 4k + i of split k
-using HitId = Index;    ///< an intersection of the surface with a grid edge
-using HalfEdgeId =
-    Index;              ///< half-edge 3h + slot of hit h; in a dual mesh 3t + place of triangle t
-using PlaneId = Index;  ///< the plane that hits share
+using CellId = Index;      ///< a node of the kd-tree; 0 is the root
+using SplitId = Index;     ///< an inner cell by the order in which the splits were made
+using EdgeId = Index;      ///< splitting edge 4k + i of split k
+using HitId = Index;       ///< an intersection of the surface with a grid edge
+using HalfEdgeId = Index;  ///< half-edge 3h + slot of hit h, or 3t + place of a dual triangle t
+using PlaneId = Index;     ///< the plane that hits share
 
 // Of a dual mesh, which is made from a grid.
 using LoopId = Index;    ///< a vertex that a loop of half-edges became
