@@ -3,7 +3,7 @@
 # Installs what is missing, and only that: Debian packages for the given groups, and the npm packages
 # of the lock file. Called by every npm script; does nothing, quickly, when all is there.
 #
-#   scripts/setup.sh [wasm] [native] [test]      (default: all three)
+#   scripts/setup.sh [wasm] [native] [test] [house]      (default: the first three)
 set -eu
 cd "$(dirname "$0")/.."
 
@@ -12,6 +12,7 @@ native='cmake ninja-build g++ libeigen3-dev libfast-float-dev libfmt-dev libcli1
   nlohmann-json3-dev'
 tests='clang libclang-rt-14-dev clang-format clang-tidy libgtest-dev libbenchmark-dev doxygen
   chromium fonts-dejavu-core'
+house='universal-ctags'
 
 [ $# -gt 0 ] || set -- wasm native test
 wanted=
@@ -20,7 +21,8 @@ for group in "$@"; do
     wasm) wanted="$wanted $wasm" ;;
     native) wanted="$wanted $native" ;;
     test) wanted="$wanted $tests" ;;
-    *) echo "setup: unknown group '$group' (wasm, native, test)" >&2; exit 2 ;;
+    house) wanted="$wanted $house" ;;
+    *) echo "setup: unknown group '$group' (wasm, native, test, house)" >&2; exit 2 ;;
   esac
 done
 
