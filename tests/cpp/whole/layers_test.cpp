@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <regex>
 #include <set>
 #include <string>
 #include <vector>
@@ -151,6 +152,22 @@ TEST(Layers, TheOutsideSeesPublicHeadersOnly) {
       }
     }
   }
+}
+
+// Paths in backticks of the table that maps the paper to the sources: `room/file`, `room/file.h`.
+TEST(Layers, TheMapNamesSourcesThatExist) {
+  const std::regex path("`([a-z_]+(?:/[a-z_]+)+)(\\.h)?`");
+  int named = 0;
+  for (const std::string& line : lines_of(kSource / "README.md")) {
+    if (line.rfind("| ", 0) != 0) continue;
+    for (std::sregex_iterator match(line.begin(), line.end(), path), end; match != end; ++match) {
+      const std::string name = (*match)[1].str();
+      ++named;
+      EXPECT_TRUE(fs::exists(kSource / (name + ".h")) || fs::exists(kSource / (name + ".cpp")))
+          << name;
+    }
+  }
+  EXPECT_GT(named, 40);
 }
 
 TEST(Layers, TheLibraryPrintsNothing) {
