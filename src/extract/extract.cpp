@@ -9,6 +9,7 @@
 #include <new>
 
 #include "extract/dual/dual_mesh.h"
+#include "extract/dual/grid_view.h"
 #include "extract/embed/embed.h"
 #include "extract/embed/layers.h"
 #include "extract/emit.h"
@@ -91,9 +92,9 @@ class Meshing {
     find_loops(grid_, loops_);
     report(progress, 0.4, "vertices");
     boxes_ = cell_boxes(grid_);
-    points_ = hit_points(grid_, boxes_, options_.strict == Strict::kEmbedded);
-    off_ = place_vertices(grid_, boxes_, points_, error_, options_.position, loops_);
-    move_off_slivers(grid_, boxes_, points_, loops_);
+    hit_points_ = hit_points(grid_, boxes_, options_.strict == Strict::kEmbedded);
+    off_ = place_vertices(view(), error_, options_.position, loops_);
+    move_off_slivers(view(), loops_);
   }
 
   DualMesh faces(const Progress& progress, ExtractReport& report_out) {
@@ -101,7 +102,7 @@ class Meshing {
     if (options_.strict != Strict::kEmbedded || options_.quads) {
       mesh = std::move(loops_);
       make({}, nullptr, mesh);
-      if (options_.strict != Strict::kOff) give_area(grid_, mesh);
+      if (options_.strict != Strict::kOff) give_area(view(), mesh);
     } else {
       mesh = embedded(progress, report_out);
     }
@@ -114,6 +115,8 @@ class Meshing {
   }
 
  private:
+  GridView view() const { return {grid_, boxes_, hit_points_}; }
+
   // Numbers of vertices that a step has added.
   struct Added {
     std::vector<std::pair<Index, Index>> ranges;
@@ -147,8 +150,7 @@ class Meshing {
       make(details, part, made);
     };
     steps.report = [&progress](int round) { report(progress, 0.9 - 0.2 / (1 + round), "faces"); };
-    const Embedding embedding =
-        embed(grid_, boxes_, points_, kSlightly * grid_.tolerance, steps, loops_, mesh);
+    const Embedding embedding = embed(view(), kSlightly * grid_.tolerance, steps, loops_, mesh);
     report_out.refined_hits = embedding.refined_hits;
     report_out.crossings = embedding.crossings;
     return mesh;
@@ -173,21 +175,18 @@ class Meshing {
     const std::vector<Index>& candidates = part == nullptr ? off_ : part->cut;
     std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(off),
                  [&](Index v) { return details.of_loop(v) == Detail::kPlain; });
-    splits_.note(mesh, [&] {
-      split_vertices(grid_, boxes_, points_, error_, options_.position, off, mesh);
-    });
+    splits_.note(mesh, [&] { split_vertices(view(), error_, options_.position, off, mesh); });
     if (!options_.quads) {
       links_.note(mesh, [&] {
-        refine(grid_, boxes_, points_, details, link_error_, mesh,
-               part == nullptr ? nullptr : &part->hits);
+        refine(view(), details, link_error_, mesh, part == nullptr ? nullptr : &part->hits);
       });
     }
     if (part != nullptr) links_.note(mesh, [&] { draw_inwards(details, part->loops, mesh); });
     if (part == nullptr) {
       if (options_.strict != Strict::kOff) {
-        doubles_.note(mesh, [&] { separate_double_edges(points_, mesh); });
+        doubles_.note(mesh, [&] { separate_double_edges(view(), mesh); });
       }
-      if (options_.unfold && !options_.quads) flips_ += unfold(grid_, details, mesh);
+      if (options_.unfold && !options_.quads) flips_ += unfold(view(), details, mesh);
       return;
     }
     const auto with_new = [](std::vector<Index> numbers, Index first, std::size_t end) {
@@ -195,12 +194,12 @@ class Meshing {
       return numbers;
     };
     const std::vector<Index> rings = with_new(part->loops, vertices, mesh.first.size());
-    doubles_.note(mesh, [&] { separate_double_edges(points_, mesh, &rings); });
+    doubles_.note(mesh, [&] { separate_double_edges(view(), mesh, &rings); });
     if (!options_.unfold) return;
     std::vector<Index> changed = part->hits;
     changed.insert(changed.end(), mesh.touched.begin(), mesh.touched.end());
     const std::vector<Index> folds = with_new(std::move(changed), triangles, mesh.triangles());
-    flips_ += unfold(grid_, details, mesh, &folds);
+    flips_ += unfold(view(), details, mesh, &folds);
   }
 
   void draw_inwards(const Details& details, const std::vector<Index>& loops, DualMesh& mesh) const {
@@ -225,7 +224,7 @@ class Meshing {
     const auto for_each_point = [&](const auto& visit) {
       Index half_edge = mesh.first[v];
       do {
-        visit(points_[mesh.hit[half_edge / 3]]);
+        visit(hit_points_[mesh.hit[half_edge / 3]]);
         half_edge = mesh.turn(half_edge);
       } while (half_edge != mesh.first[v] && half_edge != kNone);
     };
@@ -245,7 +244,7 @@ class Meshing {
   double link_error_;
   DualMesh loops_;
   std::vector<LatticeBox> boxes_;
-  std::vector<Vec3> points_;
+  std::vector<Vec3> hit_points_;
   std::vector<Index> off_;
   Added splits_;
   Added links_;

@@ -81,27 +81,25 @@ double scale_for(const Lattice& lattice) {
 
 }  // namespace
 
-Clashes::Clashes(const GridData& grid, const std::vector<LatticeBox>& boxes,
-                 const std::vector<Vec3>& points, const DualMesh& loops)
-    : grid_(grid),
-      boxes_(boxes),
+Clashes::Clashes(const GridView& view, const DualMesh& loops)
+    : view_(view),
       loops_(loops),
-      envelopes_(grid, boxes, points, loops),
-      triangles_(static_cast<Index>(grid.hits.size())),
-      sure_(rounds_little(grid.lattice)),
-      scale_(scale_for(grid.lattice)),
-      enclosed_(grid.hits.size(), 0),
-      changed_(grid.hits.size(), 0),
-      parent_(grid.cells.size(), kNone),
-      first_(grid.cells.size(), kNone) {
-  for (Index c = 0; c < grid.cells.size(); ++c) {
-    const Cell& cell = grid.cells[c];
+      envelopes_(view, loops),
+      triangles_(static_cast<Index>(view.grid.hits.size())),
+      sure_(rounds_little(view.grid.lattice)),
+      scale_(scale_for(view.grid.lattice)),
+      enclosed_(view.grid.hits.size(), 0),
+      changed_(view.grid.hits.size(), 0),
+      parent_(view.grid.cells.size(), kNone),
+      first_(view.grid.cells.size(), kNone) {
+  for (Index c = 0; c < view.grid.cells.size(); ++c) {
+    const Cell& cell = view.grid.cells[c];
     if (!cell.leaf()) parent_[cell.below()] = parent_[cell.above()] = c;
   }
 }
 
 void Clashes::find(const DualMesh& mesh) {
-  std::vector<Index> hits(grid_.hits.size());
+  std::vector<Index> hits(view_.grid.hits.size());
   std::iota(hits.begin(), hits.end(), Index{0});
   find_again(mesh, hits);
 }
@@ -115,7 +113,7 @@ void Clashes::find_again(const DualMesh& mesh, const std::vector<Index>& hits) {
   seen_.assign(mesh.triangles(), kNone);
   spread_.assign(mesh.first.size(), kUnknown);
   pool_.clear();
-  pool_begin_.assign(grid_.cells.size(), kNone);
+  pool_begin_.assign(view_.grid.cells.size(), kNone);
   for (const Index h : around) {
     triangles_.for_each(h, [&](Index t) { place(mesh, t); });
   }
@@ -155,7 +153,7 @@ std::vector<Index> Clashes::with_neighbours(const std::vector<Index>& hits) {
     around.push_back(h);
   };
   for (const Index h : hits) add(h);
-  if (around.size() == grid_.hits.size()) return around;
+  if (around.size() == view_.grid.hits.size()) return around;
   for (const Index leaf : crowded_leaves(hits)) envelopes_.for_each_hit(leaf, add);
   for (std::size_t n = 0; n < around.size(); ++n) {
     const Index h = around[n];
@@ -194,7 +192,7 @@ void Clashes::forget(const DualMesh& mesh) {
 void Clashes::place(const DualMesh& mesh, Index triangle) {
   for (Index h = 3 * triangle; h < 3 * triangle + 3; ++h) {
     const Index v = mesh.vertex[h];
-    places_[v] = scale_ * single_precision(grid_.lattice, mesh.position[v]);
+    places_[v] = scale_ * single_precision(view_.grid.lattice, mesh.position[v]);
   }
 }
 
@@ -265,8 +263,8 @@ void Clashes::look_round(const DualMesh& mesh, Index suspect) {
   left[0] = cell_round(leaf, lo, hi);
   for (std::size_t count = 1; count > 0;) {
     Index c = left[--count];
-    while (!grid_.cells[c].leaf()) {
-      const Cell& cell = grid_.cells[c];
+    while (!view_.grid.cells[c].leaf()) {
+      const Cell& cell = view_.grid.cells[c];
       const double value = cell.value();
       const bool above = hi[cell.axis()] >= value;
       if (lo[cell.axis()] <= value) {
@@ -283,8 +281,8 @@ void Clashes::look_round(const DualMesh& mesh, Index suspect) {
 // The smallest cell round the leaf that holds all of the box: near the leaf, while the root is far.
 Index Clashes::cell_round(Index leaf, const Vec3& lo, const Vec3& hi) const {
   Index cell = leaf;
-  while (cell != 0 && !((lo.array() > real(boxes_[cell].lo).array()).all() &&
-                        (hi.array() < real(boxes_[cell].hi).array()).all())) {
+  while (cell != 0 && !((lo.array() > real(view_.boxes[cell].lo).array()).all() &&
+                        (hi.array() < real(view_.boxes[cell].hi).array()).all())) {
     cell = parent_[cell];
   }
   return cell;
@@ -327,7 +325,7 @@ bool Clashes::spread(const DualMesh& mesh, Index v) {
   const Index first = mesh.first[v];
   Index half_edge = first;
   do {
-    normal += grid_.plane_of(mesh.hit[half_edge / 3]).normal;
+    normal += view_.grid.plane_of(mesh.hit[half_edge / 3]).normal;
     half_edge = mesh.turn(half_edge);
     if (half_edge == kNone) return false;
   } while (half_edge != first);

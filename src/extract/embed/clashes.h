@@ -10,8 +10,7 @@ namespace kdm {
 /// those of the hits and the suspects in the leaves that their boxes meet.
 class Clashes {
  public:
-  Clashes(const GridData& grid, const std::vector<LatticeBox>& boxes,
-          const std::vector<Vec3>& points, const DualMesh& loops);
+  Clashes(const GridView& view, const DualMesh& loops);
 
   /// Finds all of a mesh, whose vertices are rounded to 32 bits.
   void find(const DualMesh& mesh);
@@ -43,8 +42,7 @@ class Clashes {
   Corners corners(const DualMesh& mesh, Index t) const;
   bool without_area(const DualMesh& mesh, Index t) const;
 
-  const GridData& grid_;
-  const std::vector<LatticeBox>& boxes_;
+  GridView view_;
   const DualMesh& loops_;
   Envelopes envelopes_;
   HitTriangles triangles_;

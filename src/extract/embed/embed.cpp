@@ -17,15 +17,14 @@ namespace {
 
 class Rounds {
  public:
-  Rounds(const GridData& grid, const std::vector<LatticeBox>& boxes,
-         const std::vector<Vec3>& points, double margin, const EmbedSteps& steps, DualMesh& loops,
+  Rounds(const GridView& view, double margin, const EmbedSteps& steps, DualMesh& loops,
          DualMesh& mesh)
-      : grid_(grid), boxes_(boxes), points_(points), steps_(steps), loops_(loops), mesh_(mesh) {
-    details_.hits.assign(grid.hits.size(), Detail::kPlain);
+      : view_(view), steps_(steps), loops_(loops), mesh_(mesh) {
+    details_.hits.assign(view.grid.hits.size(), Detail::kPlain);
     details_.loops.assign(loops.first.size(), Detail::kPlain);
     details_.margin = margin;
     details_.plain = &loops_;
-    find_beside(grid, loops_);
+    find_beside(view.grid, loops_);
   }
 
   Embedding run() {
@@ -33,7 +32,7 @@ class Rounds {
     mesh_.position = loops_.position;
     steps_.make(details_, nullptr, mesh_);
     round_positions(mesh_, loops_.first.size());
-    Clashes clashes(grid_, boxes_, points_, loops_);
+    Clashes clashes(view_, loops_);
     clashes.find(mesh_);
     int round = 0;
     for (;;) {
@@ -141,16 +140,14 @@ class Rounds {
   }
 
   Vec3 rounded(const Vec3& position) const {
-    return grid_.lattice.to_lattice(single_precision(grid_.lattice, position));
+    return view_.grid.lattice.to_lattice(single_precision(view_.grid.lattice, position));
   }
 
   static Detail more(Detail detail) {
     return detail == Detail::kCentred ? detail : static_cast<Detail>(static_cast<int>(detail) + 1);
   }
 
-  const GridData& grid_;
-  const std::vector<LatticeBox>& boxes_;
-  const std::vector<Vec3>& points_;
+  GridView view_;
   const EmbedSteps& steps_;
   DualMesh& loops_;
   DualMesh& mesh_;
@@ -160,10 +157,9 @@ class Rounds {
 
 }  // namespace
 
-Embedding embed(const GridData& grid, const std::vector<LatticeBox>& boxes,
-                const std::vector<Vec3>& points, double margin, const EmbedSteps& steps,
-                DualMesh& loops, DualMesh& mesh) {
-  return Rounds(grid, boxes, points, margin, steps, loops, mesh).run();
+Embedding embed(const GridView& view, double margin, const EmbedSteps& steps, DualMesh& loops,
+                DualMesh& mesh) {
+  return Rounds(view, margin, steps, loops, mesh).run();
 }
 
 }  // namespace kdm

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "extract/dual/detail.h"
+#include "extract/dual/grid_view.h"
 #include "extract/embed/restore.h"
 
 namespace kdm {
@@ -29,8 +30,7 @@ struct EmbedSteps {
 /// Makes the mesh, and parts of it again and again with more detail, wherever its triangles cross,
 /// touch or have no area, until none do or there is nothing left to add. `loops` is the mesh with
 /// its loops found, `mesh` a copy. All coordinates are rounded to what 32 bits in model units hold.
-Embedding embed(const GridData& grid, const std::vector<LatticeBox>& boxes,
-                const std::vector<Vec3>& points, double margin, const EmbedSteps& steps,
-                DualMesh& loops, DualMesh& mesh);
+Embedding embed(const GridView& view, double margin, const EmbedSteps& steps, DualMesh& loops,
+                DualMesh& mesh);
 
 }  // namespace kdm

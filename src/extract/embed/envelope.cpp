@@ -15,16 +15,13 @@ bool rounds_little(const Lattice& lattice) {
   return largest < lattice.step * 0x1p50 * 0x1p-14 * (kClear / 16);
 }
 
-Envelopes::Envelopes(const GridData& grid, const std::vector<LatticeBox>& boxes,
-                     const std::vector<Vec3>& points, const DualMesh& loops)
-    : grid_(grid),
-      boxes_(boxes),
-      points_(points),
+Envelopes::Envelopes(const GridView& view, const DualMesh& loops)
+    : view_(view),
       loops_(loops),
-      first_loop_(grid.cells.size(), kNone),
+      first_loop_(view.grid.cells.size(), kNone),
       next_loop_(loops.first.size(), kNone),
-      separated_(grid.cells.size(), 1),
-      doubled_(grid.hits.size(), 0) {
+      separated_(view.grid.cells.size(), 1),
+      doubled_(view.grid.hits.size(), 0) {
   for (Index v = 0; v < loops.first.size(); ++v) {
     next_loop_[v] = first_loop_[loops.leaf[v]];
     first_loop_[loops.leaf[v]] = v;
@@ -33,7 +30,8 @@ Envelopes::Envelopes(const GridData& grid, const std::vector<LatticeBox>& boxes,
 }
 
 void Envelopes::find_doubled() {
-  std::vector<Index> from(grid_.cells.size(), kNone);  // the last loop with a link to this leaf
+  std::vector<Index> from(view_.grid.cells.size(),
+                          kNone);  // the last loop with a link to this leaf
   const auto leaf_beyond = [&](Index half_edge) {
     return loops_.leaf[loops_.vertex[next_in_triangle(half_edge)]];
   };
@@ -63,7 +61,7 @@ void Envelopes::find_doubled() {
 void Envelopes::separate(const DualMesh& mesh, const HitTriangles& triangles, Index leaf) {
   const auto normal_of = [&](Index v) {
     Vec3 sum = Vec3::Zero();
-    for_each_hit_of(v, [&](Index hit) { sum += grid_.plane_of(hit).normal; });
+    for_each_hit_of(v, [&](Index hit) { sum += view_.grid.plane_of(hit).normal; });
     return sum;
   };
   const auto parted_along = [&](const Vec3& normal) {
@@ -110,11 +108,11 @@ void HitTriangles::read(const DualMesh& mesh) {
 }
 
 Envelopes::Stretch Envelopes::stretch(Index hit) const {
-  LatticePoint lo = boxes_[0].lo;
-  LatticePoint hi = boxes_[0].hi;
+  LatticePoint lo = view_.boxes[0].lo;
+  LatticePoint hi = view_.boxes[0].hi;
   const auto narrow = [&](Index triangle) {
     for (Index h = 3 * triangle; h < 3 * triangle + 3; ++h) {
-      const LatticeBox& box = boxes_[loops_.leaf[loops_.vertex[h]]];
+      const LatticeBox& box = view_.boxes[loops_.leaf[loops_.vertex[h]]];
       for (int i = 0; i < 3; ++i) {
         lo[i] = std::max(lo[i], box.lo[i]);
         hi[i] = std::min(hi[i], box.hi[i]);
@@ -140,7 +138,7 @@ bool Envelopes::rim_holds(const DualMesh& mesh, Index hit) const {
     const Index half_edge = 3 * hit + i;
     const Index v = loops_.vertex[half_edge];
     if (separated_[loops_.leaf[v]] == 0 || loops_.opposite[half_edge] == kNone) return false;
-    const LatticeBox& box = boxes_[loops_.leaf[v]];
+    const LatticeBox& box = view_.boxes[loops_.leaf[v]];
     const Vec3& p = mesh.position[v];
     for (int axis = 0; axis < 3; ++axis) {
       if (!(p[axis] > box.lo[axis] + kClear && p[axis] < box.hi[axis] - kClear)) return false;
@@ -154,7 +152,7 @@ bool Envelopes::meets(const DualMesh& mesh, Index triangle, Index hit,
                       const Stretch& stretch) const {
   const int u = next_axis(stretch.axis);
   const int v = previous_axis(stretch.axis);
-  const Vec3& edge = points_[hit];
+  const Vec3& edge = view_.hit_points[hit];
   double area = 0;
   double height = 0;
   double size = 0;
@@ -168,7 +166,7 @@ bool Envelopes::meets(const DualMesh& mesh, Index triangle, Index hit,
     size = std::max({size, std::abs(p[u] - edge[u]), std::abs(p[v] - edge[v]),
                      std::abs(p[stretch.axis] - edge[stretch.axis])});
   }
-  if (!grid_.hits[hit].leaving()) {
+  if (!view_.grid.hits[hit].leaving()) {
     area = -area;
     height = -height;
   }

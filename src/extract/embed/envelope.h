@@ -24,6 +24,7 @@
 
 #include "extract/dual/clearance.h"
 #include "extract/dual/dual_mesh.h"
+#include "extract/dual/grid_view.h"
 
 namespace kdm {
 
@@ -55,8 +56,7 @@ class HitTriangles {
 /// The test for the hits of a mesh. `loops` is what it was made from: one triangle a hit.
 class Envelopes {
  public:
-  Envelopes(const GridData& grid, const std::vector<LatticeBox>& boxes,
-            const std::vector<Vec3>& points, const DualMesh& loops);
+  Envelopes(const GridView& view, const DualMesh& loops);
 
   /// Finds anew whether the triangles round the loops of a leaf keep to sides of planes.
   void separate(const DualMesh& mesh, const HitTriangles& triangles, Index leaf);
@@ -95,9 +95,7 @@ class Envelopes {
   bool rim_holds(const DualMesh& mesh, Index hit) const;
   bool meets(const DualMesh& mesh, Index triangle, Index hit, const Stretch& stretch) const;
 
-  const GridData& grid_;
-  const std::vector<LatticeBox>& boxes_;
-  const std::vector<Vec3>& points_;
+  GridView view_;
   const DualMesh& loops_;
   std::vector<Index> first_loop_;  // per leaf
   std::vector<Index> next_loop_;   // per loop: in the same leaf

@@ -28,10 +28,9 @@ constexpr std::size_t kMostHits = 32;
 
 class Moving {
  public:
-  Moving(const GridData& grid, const std::vector<LatticeBox>& boxes,
-         const std::vector<Vec3>& points, DualMesh& mesh)
-      : grid_(grid), boxes_(boxes), points_(points), mesh_(mesh), fixed_(mesh.first.size(), 0) {
-    for (const auto& [vertex, point] : kept_corners(grid, mesh)) fixed_[vertex] = 1;
+  Moving(const GridView& view, DualMesh& mesh)
+      : view_(view), mesh_(mesh), fixed_(mesh.first.size(), 0) {
+    for (const auto& [vertex, point] : kept_corners(view.grid, mesh)) fixed_[vertex] = 1;
   }
 
   Index run() {
@@ -65,7 +64,7 @@ class Moving {
     if (sine < kThinSine) {
       return shape.shortest() <= kNeedle * kNeedle * shape.longest() ? sine : kThinSine;
     }
-    const double cosine = shape.alignment(grid_.plane_of(mesh_.hit[t]).normal);
+    const double cosine = shape.alignment(view_.grid.plane_of(mesh_.hit[t]).normal);
     return cosine < kFolded ? cosine - kFolded - 1 : std::min(sine, kWide);
   }
 
@@ -74,11 +73,11 @@ class Moving {
     const Vec3 before = mesh_.position[v];
     const double now = ring_quality(-2);
     const double allowed =
-        std::max(distance_to_planes(grid_, ring_, before), 0.5 * grid_.tolerance);
+        std::max(distance_to_planes(view_.grid, ring_, before), 0.5 * view_.grid.tolerance);
     for (const double part : kParts) {
       for (const Vec3& goal : {of_hits_, of_neighbours_}) {
         const Vec3 to = before + part * (goal - before);
-        if (distance_to_planes(grid_, ring_, to) > allowed) continue;
+        if (distance_to_planes(view_.grid, ring_, to) > allowed) continue;
         mesh_.position[v] = to;
         const double gain = gain_of(now, ring_quality(std::max(now, 0.0)));
         if (gain > best.gain) best = {v, to, gain};
@@ -103,13 +102,13 @@ class Moving {
     Index half_edge = mesh_.first[v];
     do {
       ring_.push_back(mesh_.hit[half_edge / 3]);
-      sum += points_[ring_.back()];
+      sum += view_.hit_points[ring_.back()];
       around += mesh_.position[mesh_.vertex[next_in_triangle(half_edge)]];
       half_edge = mesh_.turn(half_edge);
       if (half_edge == kNone || ring_.size() > kMostHits) return false;
     } while (half_edge != mesh_.first[v]);
     of_hits_ = sum / static_cast<double>(ring_.size());
-    const LatticeBox& box = boxes_[mesh_.leaf[v]];
+    const LatticeBox& box = view_.boxes[mesh_.leaf[v]];
     of_neighbours_ =
         (around / static_cast<double>(ring_.size())).cwiseMax(real(box.lo)).cwiseMin(real(box.hi));
     return true;
@@ -118,7 +117,7 @@ class Moving {
   // Do the hits' planes meet in one point? Sharp corners stay exact.
   bool at_corner() const {
     PrimalQuadric quadric(of_hits_);
-    for (const Index h : ring_) quadric.add(grid_.plane_of(h));
+    for (const Index h : ring_) quadric.add(view_.grid.plane_of(h));
     return quadric.certainty().sum() > 2.5;  // the rank
   }
 
@@ -133,9 +132,7 @@ class Moving {
     return least;
   }
 
-  const GridData& grid_;
-  const std::vector<LatticeBox>& boxes_;
-  const std::vector<Vec3>& points_;
+  GridView view_;
   DualMesh& mesh_;
   std::vector<char> fixed_;  // per vertex: the grid keeps a corner for it
   std::vector<Index> ring_;
@@ -145,15 +142,16 @@ class Moving {
 
 class AreaGiving {
  public:
-  AreaGiving(const GridData& grid, DualMesh& mesh)
-      : grid_(grid),
+  AreaGiving(const GridView& view, DualMesh& mesh)
+      : view_(view),
         mesh_(mesh),
         rounding_(0x1p-20 *
-                  (grid.lattice.origin.cwiseAbs().maxCoeff() / grid.lattice.step + kLatticeSize)) {}
+                  (view.grid.lattice.origin.cwiseAbs().maxCoeff() / view.grid.lattice.step +
+                   kLatticeSize)) {}
 
   Index run() {
     // What is so far off that 32 bits do not show half the tolerance stays as it is.
-    if (grid_.tolerance < rounding_ / 4) return 0;
+    if (view_.grid.tolerance < rounding_ / 4) return 0;
     for (Index t = 0; t < mesh_.triangles(); ++t) {
       if (!mesh_.dropped(t) && without_area(t)) flat_.push_back(t);
     }
@@ -182,8 +180,8 @@ class AreaGiving {
     const double longest = std::max(first.cwiseAbs().maxCoeff(), second.cwiseAbs().maxCoeff());
     // Most have far more than rounding can take.
     if (first.cross(second).cwiseAbs().maxCoeff() > rounding_ * longest) return false;
-    return is_flat(single_precision(grid_.lattice, a), single_precision(grid_.lattice, b),
-                   single_precision(grid_.lattice, c));
+    return is_flat(single_precision(view_.grid.lattice, a), single_precision(view_.grid.lattice, b),
+                   single_precision(view_.grid.lattice, c));
   }
 
   // To where fewer triangles round it are without area.
@@ -205,7 +203,7 @@ class AreaGiving {
       for (const Index h : ring_) {
         Vec3 way = part * (mesh_.position[mesh_.vertex[next_in_triangle(h)]] - before);
         const double length = way.norm();
-        if (length > 0.5 * grid_.tolerance) way *= 0.5 * grid_.tolerance / length;
+        if (length > 0.5 * view_.grid.tolerance) way *= 0.5 * view_.grid.tolerance / length;
         mesh_.position[v] = before + way;
         if (count() < now) return true;
       }
@@ -214,7 +212,7 @@ class AreaGiving {
     return false;
   }
 
-  const GridData& grid_;
+  GridView view_;
   DualMesh& mesh_;
   double rounding_;  // of a coordinate to 32 bits, generously
   std::vector<Index> flat_;
@@ -223,12 +221,11 @@ class AreaGiving {
 
 }  // namespace
 
-Index move_off_slivers(const GridData& grid, const std::vector<LatticeBox>& boxes,
-                       const std::vector<Vec3>& points, DualMesh& mesh) {
-  if (!grid.rims.empty()) return 0;
-  return Moving(grid, boxes, points, mesh).run();
+Index move_off_slivers(const GridView& view, DualMesh& mesh) {
+  if (!view.grid.rims.empty()) return 0;
+  return Moving(view, mesh).run();
 }
 
-Index give_area(const GridData& grid, DualMesh& mesh) { return AreaGiving(grid, mesh).run(); }
+Index give_area(const GridView& view, DualMesh& mesh) { return AreaGiving(view, mesh).run(); }
 
 }  // namespace kdm

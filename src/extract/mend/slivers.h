@@ -3,6 +3,7 @@
 #pragma once
 
 #include "extract/dual/dual_mesh.h"
+#include "extract/dual/grid_view.h"
 
 namespace kdm {
 
@@ -13,12 +14,11 @@ namespace kdm {
 /// tolerance. The mesh has one triangle a hit. Vertices stay at corners, of their hits' planes or
 /// kept by the grid, and on rims: with any rim in the grid nothing is moved. Returns the number of
 /// moves.
-Index move_off_slivers(const GridData& grid, const std::vector<LatticeBox>& boxes,
-                       const std::vector<Vec3>& points, DualMesh& mesh);
+Index move_off_slivers(const GridView& view, DualMesh& mesh);
 
 /// Gives triangles that have no area in 32 bits some: moves corners along their edges, by half the
 /// tolerance at a time at most. Nothing is done where 32 bits do not show that. Returns the number
 /// of moves.
-Index give_area(const GridData& grid, DualMesh& mesh);
+Index give_area(const GridView& view, DualMesh& mesh);
 
 }  // namespace kdm

@@ -12,8 +12,7 @@ namespace {
 
 class Separation {
  public:
-  Separation(const std::vector<Vec3>& hit_points, DualMesh& mesh)
-      : hit_points_(hit_points), mesh_(mesh) {}
+  Separation(const GridView& view, DualMesh& mesh) : view_(view), mesh_(mesh) {}
 
   Index run(const std::vector<Index>* vertices) {
     const auto loops = static_cast<Index>(mesh_.first.size());
@@ -97,10 +96,10 @@ class Separation {
     const Index hit = mesh_.hit[triangle];
     const Index other_hit = mesh_.hit[other];
     if (hit == other_hit) return 0.5 * (mesh_.position[a] + mesh_.position[b]);
-    return 0.5 * (hit_points_[hit] + hit_points_[other_hit]);
+    return 0.5 * (view_.hit_points[hit] + view_.hit_points[other_hit]);
   }
 
-  const std::vector<Vec3>& hit_points_;
+  GridView view_;
   DualMesh& mesh_;
   std::vector<Index> ring_;
   std::vector<std::pair<Index, Index>> doubles_;  // vertices that may be joined more than once
@@ -108,9 +107,9 @@ class Separation {
 
 }  // namespace
 
-Index separate_double_edges(const std::vector<Vec3>& hit_points, DualMesh& mesh,
+Index separate_double_edges(const GridView& view, DualMesh& mesh,
                             const std::vector<Index>* vertices) {
-  return Separation(hit_points, mesh).run(vertices);
+  return Separation(view, mesh).run(vertices);
 }
 
 }  // namespace kdm

@@ -22,8 +22,8 @@ constexpr int kMaxFlips = 4;  // of one triangle
 
 class Unfolding {
  public:
-  Unfolding(const GridData& grid, const Details& details, DualMesh& mesh)
-      : grid_(grid), mesh_(mesh), flips_(mesh.triangles(), 0) {
+  Unfolding(const GridView& view, const Details& details, DualMesh& mesh)
+      : view_(view), mesh_(mesh), flips_(mesh.triangles(), 0) {
     if (details.hits.empty()) return;
     for (Index t = 0; t < mesh.triangles(); ++t) {
       if (details.of_hit(mesh.hit[t]) != Detail::kPlain) flips_[t] = kMaxFlips;
@@ -57,7 +57,7 @@ class Unfolding {
   }
 
   bool folded(Index t, const TriangleShape& shape) const {
-    return shape.alignment(grid_.plane_of(mesh_.hit[t]).normal) < kFolded;
+    return shape.alignment(view_.grid.plane_of(mesh_.hit[t]).normal) < kFolded;
   }
 
   static bool thin(const TriangleShape& shape) { return shape.least_sine() < kThinSine; }
@@ -72,7 +72,7 @@ class Unfolding {
   }
 
   double alignment(Index a, Index b, Index c, Index hit) const {
-    return shape_of(a, b, c).alignment(grid_.plane_of(hit).normal);
+    return shape_of(a, b, c).alignment(view_.grid.plane_of(hit).normal);
   }
 
   double least_sine(Index a, Index b, Index c) const { return shape_of(a, b, c).least_sine(); }
@@ -164,14 +164,14 @@ class Unfolding {
   // Would the triangles (a, d, c) and (d, b, c) cut none off?
   bool keeps_creases(const Pair& pair, const std::array<Index, 2>& hits) const {
     const auto& [a, b, c, d, hit, other] = pair;
-    const double allowed = std::max({grid_.tolerance, off_plane(c, hit), off_plane(d, other)});
+    const double allowed = std::max({view_.grid.tolerance, off_plane(c, hit), off_plane(d, other)});
     return std::max({off_plane(a, hits[0]), off_plane(d, hits[0]), off_plane(c, hits[0]),
                      off_plane(d, hits[1]), off_plane(b, hits[1]), off_plane(c, hits[1])}) <=
            allowed;
   }
 
   double off_plane(Index v, Index hit) const {
-    return grid_.plane_of(hit).distance(mesh_.position[v]);
+    return view_.grid.plane_of(hit).distance(mesh_.position[v]);
   }
 
   // A vertex loses an edge by a flip and must keep three, or two on the boundary.
@@ -225,7 +225,7 @@ class Unfolding {
     mesh_.strip[ab / 3] = mesh_.strip[ba / 3] = 0;
   }
 
-  const GridData& grid_;
+  GridView view_;
   DualMesh& mesh_;
   std::vector<Index> queue_;
   std::vector<int> flips_;  // per triangle
@@ -233,9 +233,9 @@ class Unfolding {
 
 }  // namespace
 
-Index unfold(const GridData& grid, const Details& details, DualMesh& mesh,
+Index unfold(const GridView& view, const Details& details, DualMesh& mesh,
              const std::vector<Index>* triangles) {
-  return Unfolding(grid, details, mesh).run(triangles);
+  return Unfolding(view, details, mesh).run(triangles);
 }
 
 }  // namespace kdm

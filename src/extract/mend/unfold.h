@@ -3,6 +3,7 @@
 #pragma once
 
 #include "extract/dual/detail.h"
+#include "extract/dual/grid_view.h"
 
 namespace kdm {
 
@@ -12,7 +13,7 @@ namespace kdm {
 /// becomes twice as wide, as of three vertices in a row along a crease. No edge is doubled by it,
 /// so an index mesh that is 2-manifold stays so. Triangles of hits with details are left alone.
 /// Returns the number of flips. Looks among all triangles or among `triangles`.
-Index unfold(const GridData& grid, const Details& details, DualMesh& mesh,
+Index unfold(const GridView& view, const Details& details, DualMesh& mesh,
              const std::vector<Index>* triangles = nullptr);
 
 }  // namespace kdm

@@ -46,8 +46,8 @@ bool on_side(const LinkFace& face, const Vec3& p) {
 // Links of a face whose hits both lie on one of its sides, and what passes over them.
 class Arcs {
  public:
-  Arcs(const std::vector<Vec3>& points, const LinkFace& face, int side, bool low)
-      : points_(points),
+  Arcs(std::span<const Vec3> hit_points, const LinkFace& face, int side, bool low)
+      : hit_points_(hit_points),
         side_(side),
         along_(3 - side - face.axis),
         base_(low ? face.lo[side] : face.hi[side]),
@@ -67,7 +67,7 @@ class Arcs {
   }
 
   bool is_arc(const HitPair& link) const {
-    return points_[link.hit][side_] == base_ && points_[link.other][side_] == base_;
+    return hit_points_[link.hit][side_] == base_ && hit_points_[link.other][side_] == base_;
   }
 
   double usual_height(const HitPair& link) const { return slope_ * length(link); }
@@ -82,8 +82,8 @@ class Arcs {
 
   // What is to pass over those that come later; `height` is an arc's.
   void add(const HitPair& link, double height) {
-    const Vec3& p = points_[link.hit];
-    const Vec3& q = points_[link.other];
+    const Vec3& p = hit_points_[link.hit];
+    const Vec3& q = hit_points_[link.other];
     const double middle = is_arc(link) ? height : 0.5 * (above(p) + above(q));
     const double half = 0.5 * (p[along_] + q[along_]);
     lines_.push_back({{p[along_], half, q[along_]}, {above(p), middle, above(q)}});
@@ -96,13 +96,13 @@ class Arcs {
   };
 
   double length(const HitPair& link) const {
-    return std::abs(points_[link.hit][along_] - points_[link.other][along_]);
+    return std::abs(hit_points_[link.hit][along_] - hit_points_[link.other][along_]);
   }
   double above(const Vec3& p) const { return up_ * (p[side_] - base_); }
 
   // Between the arc's hits.
   double least_over(const Line& line, const HitPair& arc) const {
-    const auto [lo, hi] = std::minmax(points_[arc.hit][along_], points_[arc.other][along_]);
+    const auto [lo, hi] = std::minmax(hit_points_[arc.hit][along_], hit_points_[arc.other][along_]);
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < 2; ++i) {
       const double from = line.along[i];
@@ -117,7 +117,7 @@ class Arcs {
     return least;
   }
 
-  const std::vector<Vec3>& points_;
+  std::span<const Vec3> hit_points_;
   int side_;
   int along_;
   double base_;
@@ -128,12 +128,12 @@ class Arcs {
 };
 
 // The point; if both hits lie on a side of the face, a little off it at least.
-Vec3 off_side(const std::vector<Vec3>& points, const LinkFace& face, HitPair link,
+Vec3 off_side(const GridView& view, const LinkFace& face, HitPair link,
               const std::vector<HitPair>& links, Vec3 point) {
-  const int side = common_side(face, points[link.hit], points[link.other]);
+  const int side = common_side(face, view.hit_points[link.hit], view.hit_points[link.other]);
   if (side < 0) return point;
-  const bool low = points[link.hit][side] == face.lo[side];
-  Arcs arcs(points, face, side, low);
+  const bool low = view.hit_points[link.hit][side] == face.lo[side];
+  Arcs arcs(view.hit_points, face, side, low);
   for (const HitPair& other : arcs.sorted(links)) {
     if (other.hit == link.hit || other.hit == link.other) break;
     arcs.add(other, arcs.is_arc(other) ? arcs.height(other) : 0);
@@ -172,41 +172,43 @@ bool within(const LinkFace& face, const Vec3& point) {
   return true;
 }
 
-Vec3 chord_point(const std::vector<Vec3>& points, const LinkFace& face, HitPair link,
+Vec3 chord_point(const GridView& view, const LinkFace& face, HitPair link,
                  const std::vector<HitPair>& links) {
-  return off_side(points, face, link, links, 0.5 * (points[link.hit] + points[link.other]));
+  return off_side(view, face, link, links,
+                  0.5 * (view.hit_points[link.hit] + view.hit_points[link.other]));
 }
 
 namespace {
 
 // 1 where both hits lie behind each other's plane, as on a convex edge; -1 where both lie in front;
 // 0 where the surface is flat or bends both ways between them.
-int bend(const GridData& grid, const std::vector<Vec3>& points, HitPair link) {
-  const double first = grid.plane_of(link.other).signed_distance(points[link.hit]);
-  const double second = grid.plane_of(link.hit).signed_distance(points[link.other]);
+int bend(const GridView& view, HitPair link) {
+  const double first = view.grid.plane_of(link.other).signed_distance(view.hit_points[link.hit]);
+  const double second = view.grid.plane_of(link.hit).signed_distance(view.hit_points[link.other]);
   if (!(first * second > 0)) return 0;
   return first < 0 ? 1 : -1;
 }
 
 // Do the two hits' planes make an edge?
-bool is_sharp(const GridData& grid, const std::vector<Vec3>& points, HitPair link) {
-  const double cosine = grid.plane_of(link.hit).normal.dot(grid.plane_of(link.other).normal);
-  return cosine < kSharpCosine && bend(grid, points, link) != 0;
+bool is_sharp(const GridView& view, HitPair link) {
+  const double cosine =
+      view.grid.plane_of(link.hit).normal.dot(view.grid.plane_of(link.other).normal);
+  return cosine < kSharpCosine && bend(view, link) != 0;
 }
 
 }  // namespace
 
-Vec3 behind_planes(const GridData& grid, const std::vector<Vec3>& points, HitPair link,
-                   std::span<const Index> hits, double distance, const Vec3& crease) {
-  const int outwards = bend(grid, points, link);
+Vec3 behind_planes(const GridView& view, HitPair link, std::span<const Index> hits, double distance,
+                   const Vec3& crease) {
+  const int outwards = bend(view, link);
   if (outwards == 0) return crease;
-  const Vec3& p = points[link.hit];
-  const Vec3& q = points[link.other];
+  const Vec3& p = view.hit_points[link.hit];
+  const Vec3& q = view.hit_points[link.other];
   const Vec3 middle = 0.5 * (p + q);
   double furthest = distance;
   Vec3 point = crease;
   for (const Index hit : hits) {
-    const Plane& plane = grid.plane_of(hit);
+    const Plane& plane = view.grid.plane_of(hit);
     const auto beyond = [&](const Vec3& x) { return outwards * plane.signed_distance(x); };
     const double off = beyond(crease);
     if (off <= furthest || beyond(p) >= 0 || beyond(q) >= 0) continue;
@@ -216,28 +218,28 @@ Vec3 behind_planes(const GridData& grid, const std::vector<Vec3>& points, HitPai
   return point;
 }
 
-Vec3 crease_point(const GridData& grid, const std::vector<Vec3>& points, const LinkFace& face,
-                  HitPair link, std::span<const Index> hits, double distance) {
-  const Vec3 middle = 0.5 * (points[link.hit] + points[link.other]);
+Vec3 crease_point(const GridView& view, const LinkFace& face, HitPair link,
+                  std::span<const Index> hits, double distance) {
+  const Vec3 middle = 0.5 * (view.hit_points[link.hit] + view.hit_points[link.other]);
   PrimalQuadric quadric(middle);
-  quadric.add(grid.plane_of(link.hit));
-  quadric.add(grid.plane_of(link.other));
-  if (is_sharp(grid, points, link)) {
+  quadric.add(view.grid.plane_of(link.hit));
+  quadric.add(view.grid.plane_of(link.other));
+  if (is_sharp(view, link)) {
     // Where an edge lies outside of the face, a third plane may still cut it off within.
     Vec3 around = Vec3::Constant(kLatticeSize);
     around[face.axis] = 0;
     const Vec3 edge = quadric.minimiser_in(face.lo - around, face.hi + around);
-    const Vec3 cut = behind_planes(grid, points, link, hits, distance, edge);
-    if (cut != edge && holds(face, cut)) return off_side(points, face, link, {}, cut);
+    const Vec3 cut = behind_planes(view, link, hits, distance, edge);
+    if (cut != edge && holds(face, cut)) return off_side(view, face, link, {}, cut);
   }
   Vec3 crease = quadric.minimiser_in(face.lo, face.hi);
   // Beyond both the hits and the face the planes of no sharp edge say nothing: the surface is
   // curved, or bends both ways.
-  const Vec3 chord = points[link.other] - points[link.hit];
+  const Vec3 chord = view.hit_points[link.other] - view.hit_points[link.hit];
   const bool beyond = std::abs(chord.dot(crease - middle)) > 0.5 * chord.squaredNorm();
-  if (beyond && on_side(face, crease) && !is_sharp(grid, points, link)) crease = middle;
-  crease = behind_planes(grid, points, link, hits, distance, crease);
-  return off_side(points, face, link, {}, crease);
+  if (beyond && on_side(face, crease) && !is_sharp(view, link)) crease = middle;
+  crease = behind_planes(view, link, hits, distance, crease);
+  return off_side(view, face, link, {}, crease);
 }
 
 }  // namespace kdm

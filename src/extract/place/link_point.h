@@ -6,6 +6,7 @@
 #include <span>
 
 #include "extract/dual/dual_mesh.h"
+#include "extract/dual/grid_view.h"
 
 namespace kdm {
 
@@ -35,17 +36,17 @@ struct HitPair {
 /// The middle between the two hits; off their line, into the face, if that is one of its sides, so
 /// that arcs over one edge stay apart, nested ones nested. Given all links of the face, which do
 /// not cross: so that it keeps clear of them all if they have theirs by the same rule.
-Vec3 chord_point(const std::vector<Vec3>& points, const LinkFace& face, HitPair link,
+Vec3 chord_point(const GridView& view, const LinkFace& face, HitPair link,
                  const std::vector<HitPair>& links = {});
 
 /// The point, but drawn back to the plane of one of `hits` that cuts it off from the link's two by
 /// more than `distance`: there is a third face between them which none of the face's sides meets.
-Vec3 behind_planes(const GridData& grid, const std::vector<Vec3>& points, HitPair link,
-                   std::span<const Index> hits, double distance, const Vec3& crease);
+Vec3 behind_planes(const GridView& view, HitPair link, std::span<const Index> hits, double distance,
+                   const Vec3& crease);
 
 /// Where the two hits' planes meet in the face, behind the planes of `hits`, near the middle
 /// between the two where they agree. Off their line like `chord_point`.
-Vec3 crease_point(const GridData& grid, const std::vector<Vec3>& points, const LinkFace& face,
-                  HitPair link, std::span<const Index> hits, double distance);
+Vec3 crease_point(const GridView& view, const LinkFace& face, HitPair link,
+                  std::span<const Index> hits, double distance);
 
 }  // namespace kdm

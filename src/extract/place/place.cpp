@@ -11,102 +11,6 @@
 namespace kdm {
 namespace {
 
-// Lattice units, where there is room.
-constexpr double kBetweenHits = 2;
-constexpr double kFromEnds = 1.0 / 3;
-
-struct Stretch {
-  double lo;
-  double hi;
-  bool operator==(const Stretch&) const = default;
-};
-
-// What the leaves round the hit have in common of its edge. No grid vertex lies within.
-Stretch stretch_round(const GridData& grid, const std::vector<LatticeBox>& boxes, Index hit,
-                      int axis) {
-  std::int32_t lo = 0;
-  std::int32_t hi = kLatticeSize;
-  const auto narrow = [&](Index of_hit) {
-    for (Index h = 3 * of_hit; h < 3 * of_hit + 3; ++h) {
-      const LatticeBox& box = boxes[grid.start_leaf(h)];
-      lo = std::max(lo, box.lo[axis]);
-      hi = std::min(hi, box.hi[axis]);
-    }
-  };
-  narrow(hit);
-  // Coincident edges have the same hits, which must go to the same places.
-  for (Index h = 3 * hit; h < 3 * hit + 3; ++h) {
-    if (grid.crosses_strip(h) && grid.opposite[h] != kNone) narrow(grid.opposite[h] / 3);
-  }
-  return {static_cast<double>(lo), static_cast<double>(hi)};
-}
-
-// Hits of one edge that lie close together or at a grid vertex.
-void keep_apart(const GridData& grid, const std::vector<LatticeBox>& boxes, Index begin, Index end,
-                int axis, std::vector<Vec3>& points) {
-  const auto at = [&](Index h) -> double& { return points[h][axis]; };
-  const auto tight = [&](Index h) {
-    constexpr double kNear = 1.0 / 8;
-    return std::abs(at(h) - std::floor(at(h) + 0.5)) < kNear ||
-           (h > begin && at(h) - at(h - 1) < kBetweenHits);
-  };
-  Index first = begin;
-  while (first < end) {
-    if (!tight(first) && (first + 1 == end || !tight(first + 1))) {
-      ++first;
-      continue;
-    }
-    const Stretch stretch = stretch_round(grid, boxes, first, axis);
-    while (first > begin && at(first - 1) >= stretch.lo &&
-           stretch_round(grid, boxes, first - 1, axis) == stretch) {
-      --first;
-    }
-    Index next = first + 1;
-    while (next < end && stretch_round(grid, boxes, next, axis) == stretch) ++next;
-    const double room = (stretch.hi - stretch.lo) / (next - first + 1);
-    const double between = std::min(kBetweenHits, room);
-    const double from_ends = std::min(kFromEnds, room);
-    for (Index h = first; h < next; ++h) {
-      at(h) = std::max(at(h), h == first ? stretch.lo + from_ends : at(h - 1) + between);
-    }
-    for (Index h = next; h-- > first;) {
-      at(h) = std::min(at(h), h + 1 == next ? stretch.hi - from_ends : at(h + 1) - between);
-    }
-    first = next;
-  }
-}
-
-}  // namespace
-
-std::vector<Vec3> hit_points(const GridData& grid, const std::vector<LatticeBox>& boxes,
-                             bool apart) {
-  std::vector<Vec3> points(grid.hits.size());
-  for (std::size_t c = 0; c < grid.cells.size(); ++c) {
-    const Cell& cell = grid.cells[c];
-    if (cell.leaf()) continue;
-    const int u = next_axis(cell.axis());
-    const int v = previous_axis(cell.axis());
-    for (int i = 0; i < 4; ++i) {
-      const Index edge = 4 * cell.split() + static_cast<Index>(i);
-      Vec3 point;
-      point[cell.axis()] = cell.value();
-      point[u] = i == 1 ? boxes[c].hi[u] : boxes[c].lo[u];
-      point[v] = i == 2 ? boxes[c].hi[v] : boxes[c].lo[v];
-      for (Index h = grid.edge_begin[edge]; h < grid.edge_begin[edge + 1]; ++h) {
-        point[axis_of_edge(cell.axis(), i)] = real_position(grid.hits[h].position);
-        points[h] = point;
-      }
-      if (apart) {
-        keep_apart(grid, boxes, grid.edge_begin[edge], grid.edge_begin[edge + 1],
-                   axis_of_edge(cell.axis(), i), points);
-      }
-    }
-  }
-  return points;
-}
-
-namespace {
-
 // Calls `visit` for the planes that a vertex with these hits stands for: not those of invented hits
 // where there are others, for the surface counts for more than what closes it.
 template <typename Visit>
@@ -120,14 +24,13 @@ void for_each_plane(const GridData& grid, std::span<const Index> hits, const Vis
 
 // The hits of a loop, but those of coincident edges once: how neighbours are split must not move a
 // vertex away from where the split rule expects it.
-std::vector<Index> without_repeats(const GridData& grid, const std::vector<Vec3>& points,
-                                   std::span<const Index> hits) {
+std::vector<Index> without_repeats(const GridView& view, std::span<const Index> hits) {
   std::vector<Index> once;
   once.reserve(hits.size());
   Index before = hits.back();
   for (const Index h : hits) {
-    const bool again = h != before && grid.hits[h].plane() == grid.hits[before].plane() &&
-                       points[h] == points[before];
+    const bool again = h != before && view.grid.hits[h].plane() == view.grid.hits[before].plane() &&
+                       view.hit_points[h] == view.hit_points[before];
     if (!again) once.push_back(h);
     before = h;
   }
@@ -144,11 +47,12 @@ double distance_to_planes(const GridData& grid, std::span<const Index> hits, con
   return largest;
 }
 
-Vec3 vertex_position(const GridData& grid, const std::vector<Vec3>& points,
-                     std::span<const Index> hits, const LatticeBox& box, VertexPosition position) {
-  const std::vector<Index> once = without_repeats(grid, points, hits);
+Vec3 vertex_position(const GridView& view, std::span<const Index> hits, const LatticeBox& box,
+                     VertexPosition position) {
+  const GridData& grid = view.grid;
+  const std::vector<Index> once = without_repeats(view, hits);
   Vec3 sum = Vec3::Zero();
-  for (const Index h : once) sum += points[h];
+  for (const Index h : once) sum += view.hit_points[h];
   const Vec3 centre = sum / static_cast<double>(once.size());
   PrimalQuadric quadric(centre);
   for_each_plane(grid, once, [&](const Plane& plane) { quadric.add(plane); });
@@ -164,10 +68,11 @@ Vec3 vertex_position(const GridData& grid, const std::vector<Vec3>& points,
   return point_within(planes, centre, lo, hi, grid.tolerance).value_or(least.point);
 }
 
-double error_limit(const SplitError& error, const std::vector<Vec3>& points,
-                   std::span<const Index> hits, const Vec3& vertex) {
+double error_limit(const SplitError& error, const GridView& view, std::span<const Index> hits,
+                   const Vec3& vertex) {
   double furthest = 0;
-  for (const Index h : hits) furthest = std::max(furthest, (points[h] - vertex).squaredNorm());
+  for (const Index h : hits)
+    furthest = std::max(furthest, (view.hit_points[h] - vertex).squaredNorm());
   return std::max(error.distance, error.of_hits * std::sqrt(furthest));
 }
 
@@ -243,9 +148,9 @@ std::vector<std::pair<Index, Vec3>> kept_corners(const GridData& grid, const Dua
   return corners;
 }
 
-std::vector<Index> place_vertices(const GridData& grid, const std::vector<LatticeBox>& boxes,
-                                  const std::vector<Vec3>& points, const SplitError& error,
+std::vector<Index> place_vertices(const GridView& view, const SplitError& error,
                                   VertexPosition position, DualMesh& mesh) {
+  const GridData& grid = view.grid;
   const auto vertices = static_cast<Index>(mesh.first.size());
   mesh.position.reserve(vertices);
   std::vector<Index> off;
@@ -261,14 +166,14 @@ std::vector<Index> place_vertices(const GridData& grid, const std::vector<Lattic
       hits.push_back(mesh.hit[half_edge / 3]);
       half_edge = mesh.turn(half_edge);
     } while (half_edge != first && half_edge != kNone);
-    const LatticeBox& box = boxes[mesh.leaf[vertex]];
+    const LatticeBox& box = view.boxes[mesh.leaf[vertex]];
     find_rims(grid, mesh, vertex, rims);
     if (!rims.empty()) {
       mesh.position.push_back(rim_position(grid, hits, rims, box));
       continue;
     }
     while (corner != corners.end() && corner->first < vertex) ++corner;
-    const Vec3 point = vertex_position(grid, points, hits, box, position);
+    const Vec3 point = vertex_position(view, hits, box, position);
     if (corner != corners.end() && corner->first == vertex &&
         !beside(corner->second, point, box, grid.tolerance)) {
       mesh.position.push_back(corner->second);
@@ -277,7 +182,7 @@ std::vector<Index> place_vertices(const GridData& grid, const std::vector<Lattic
     mesh.position.push_back(point);
     const bool on_boundary = half_edge == kNone;
     if (!on_boundary && !meets_planes(grid, hits, point, error.distance) &&
-        !meets_planes(grid, hits, point, error_limit(error, points, hits, point))) {
+        !meets_planes(grid, hits, point, error_limit(error, view, hits, point))) {
       off.push_back(vertex);
     }
   }

@@ -7,20 +7,16 @@
 #include <utility>
 
 #include "extract/dual/dual_mesh.h"
+#include "extract/dual/grid_view.h"
 #include "kdmanifold/extract.h"
 
 namespace kdm {
 
-/// The surface point of every hit, in lattice coordinates. If they must be told `apart` in 32 bits,
-/// those that lie together on an edge, or at a grid vertex, are moved by a lattice unit or two.
-std::vector<Vec3> hit_points(const GridData& grid, const std::vector<LatticeBox>& boxes,
-                             bool apart = false);
-
 /// The point of the box with the least squared distances to the hits' planes; where that is not
 /// within the grid's tolerance of all of them, one that is, if there is one. Or the point nearest
 /// to where the squared distances are least anywhere.
-Vec3 vertex_position(const GridData& grid, const std::vector<Vec3>& points,
-                     std::span<const Index> hits, const LatticeBox& box, VertexPosition position);
+Vec3 vertex_position(const GridView& view, std::span<const Index> hits, const LatticeBox& box,
+                     VertexPosition position);
 
 /// How far a vertex may lie from the plane of one of its hits: the larger of the two.
 struct SplitError {
@@ -32,8 +28,7 @@ struct SplitError {
 /// boundary also near the planes through the rim; at corners that the grid keeps. Returns the other
 /// vertices that lie further off than the error, but for those on the boundary: a split is not
 /// defined there.
-std::vector<Index> place_vertices(const GridData& grid, const std::vector<LatticeBox>& boxes,
-                                  const std::vector<Vec3>& points, const SplitError& error,
+std::vector<Index> place_vertices(const GridView& view, const SplitError& error,
                                   VertexPosition position, DualMesh& mesh);
 
 /// Vertices for which the grid keeps corners, of which their hits do not tell, and these;
@@ -41,8 +36,8 @@ std::vector<Index> place_vertices(const GridData& grid, const std::vector<Lattic
 std::vector<std::pair<Index, Vec3>> kept_corners(const GridData& grid, const DualMesh& mesh);
 
 /// What the error comes to for a vertex of these hits.
-double error_limit(const SplitError& error, const std::vector<Vec3>& points,
-                   std::span<const Index> hits, const Vec3& vertex);
+double error_limit(const SplitError& error, const GridView& view, std::span<const Index> hits,
+                   const Vec3& vertex);
 
 /// The largest distance of the vertex from the planes of the hits.
 double distance_to_planes(const GridData& grid, std::span<const Index> hits, const Vec3& vertex);

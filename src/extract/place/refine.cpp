@@ -15,19 +15,12 @@ namespace {
 
 class Refinement {
  public:
-  Refinement(const GridData& grid, const std::vector<LatticeBox>& boxes,
-             const std::vector<Vec3>& points, const Details& details, double distance,
-             DualMesh& mesh)
-      : grid_(grid),
-        boxes_(boxes),
-        points_(points),
-        details_(details),
-        distance_(distance),
-        mesh_(mesh) {}
+  Refinement(const GridView& view, const Details& details, double distance, DualMesh& mesh)
+      : view_(view), details_(details), distance_(distance), mesh_(mesh) {}
 
   // All is found before anything is divided, so half-edge h is still that of hit h / 3.
   void find(const std::vector<Index>* hits) {
-    const auto all = static_cast<Index>(points_.size());
+    const auto all = static_cast<Index>(view_.hit_points.size());
     if (hits == nullptr) {
       for (Index t = 0; t < all; ++t) look_at(t, [](Index) { return true; });
     } else {
@@ -41,7 +34,7 @@ class Refinement {
   void divide() {
     Division division(mesh_);
     // Hits first: what is divided later is joined to them.
-    for (const Index t : triangles_) division.triangle(t, points_[t]);
+    for (const Index t : triangles_) division.triangle(t, view_.hit_points[t]);
     for (const std::vector<Crossing>* crossings : {&strips_, &links_}) {
       for (const Crossing& c : *crossings) {
         mesh_.touched.insert(mesh_.touched.end(), {c.half_edge / 3, c.other / 3});
@@ -66,13 +59,14 @@ class Refinement {
   template <typename Included>
   void look_at(Index t, const Included& included) {
     if (mesh_.dropped(t)) return;
-    const auto half_edges = static_cast<Index>(3 * points_.size());
+    const auto half_edges = static_cast<Index>(3 * view_.hit_points.size());
     for (Index h = 3 * t; h < 3 * t + 3; ++h) {
       const Index other = mesh_.opposite[h];
       if (other >= half_edges || (other < h && included(other / 3))) continue;
       if ((mesh_.strip[t] >> (h % 3) & 1) != 0) {
         // Two hits at one point: one vertex, on the edge between their triangles.
-        if (level(t, other / 3) != Detail::kPlain) strips_.push_back({h, other, points_[t]});
+        if (level(t, other / 3) != Detail::kPlain)
+          strips_.push_back({h, other, view_.hit_points[t]});
       } else {
         look_at_link(h, other);
       }
@@ -87,7 +81,8 @@ class Refinement {
   void look_at_link(Index h, Index other) {
     const Index a = mesh_.vertex[h];
     const Index b = mesh_.vertex[other];
-    const std::optional<LinkFace> face = face_between(boxes_[mesh_.leaf[a]], boxes_[mesh_.leaf[b]]);
+    const std::optional<LinkFace> face =
+        face_between(view_.boxes[mesh_.leaf[a]], view_.boxes[mesh_.leaf[b]]);
     if (!face) return;
     const Vec3& p = mesh_.position[a];
     const Vec3& q = mesh_.position[b];
@@ -114,14 +109,14 @@ class Refinement {
     if (detail >= Detail::kApart) {
       std::vector<HitPair> links;
       if (details_.plain != nullptr) links = links_beside(*details_.plain, half_edge);
-      return chord_point(points_, face, {hit, other}, links);
+      return chord_point(view_, face, {hit, other}, links);
     }
-    const Vec3 corner = crease_point(grid_, points_, face, {hit, other}, {}, distance_);
+    const Vec3 corner = crease_point(view_, face, {hit, other}, {}, distance_);
     const bool wanted = detail == Detail::kFull || detail == Detail::kInside ||
                         misses(hit, corner, other, crossing);
     if (!wanted) return std::nullopt;
     find_hits_beside(half_edge, opposite);
-    return crease_point(grid_, points_, face, {hit, other}, beside_, distance_);
+    return crease_point(view_, face, {hit, other}, beside_, distance_);
   }
 
   // Of the loops on both sides of the link.
@@ -174,8 +169,8 @@ class Refinement {
   // as at a right angle? From their sections with the face it may be further off where the surface
   // runs along the face.
   bool meets_planes(const LinkFace& face, Index hit, Index other, const Vec3& crossing) const {
-    const double first = grid_.plane_of(hit).distance(crossing);
-    const double second = grid_.plane_of(other).distance(crossing);
+    const double first = view_.grid.plane_of(hit).distance(crossing);
+    const double second = view_.grid.plane_of(other).distance(crossing);
     return first * first + second * second <= distance_ * distance_ &&
            (crossing.array() >= face.lo.array() - distance_).all() &&
            (crossing.array() <= face.hi.array() + distance_).all();
@@ -183,13 +178,12 @@ class Refinement {
 
   // Is the crossing too far from the line hit - corner - other?
   bool misses(Index hit, const Vec3& corner, Index other, const Vec3& crossing) const {
-    return std::min(squared_distance(crossing, points_[hit], corner),
-                    squared_distance(crossing, corner, points_[other])) > distance_ * distance_;
+    return std::min(squared_distance(crossing, view_.hit_points[hit], corner),
+                    squared_distance(crossing, corner, view_.hit_points[other])) >
+           distance_ * distance_;
   }
 
-  const GridData& grid_;
-  const std::vector<LatticeBox>& boxes_;
-  const std::vector<Vec3>& points_;
+  GridView view_;
   const Details& details_;
   double distance_;
   DualMesh& mesh_;
@@ -201,10 +195,9 @@ class Refinement {
 
 }  // namespace
 
-Index refine(const GridData& grid, const std::vector<LatticeBox>& boxes,
-             const std::vector<Vec3>& points, const Details& details, double distance,
-             DualMesh& mesh, const std::vector<Index>* hits) {
-  Refinement refinement(grid, boxes, points, details, distance, mesh);
+Index refine(const GridView& view, const Details& details, double distance, DualMesh& mesh,
+             const std::vector<Index>* hits) {
+  Refinement refinement(view, details, distance, mesh);
   refinement.find(hits);
   if (refinement.vertices() > 0) refinement.divide();
   return refinement.vertices();

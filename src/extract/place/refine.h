@@ -3,14 +3,14 @@
 #pragma once
 
 #include "extract/dual/detail.h"
+#include "extract/dual/grid_view.h"
 
 namespace kdm {
 
 /// Adds the vertices that the details ask for, and one in each minimal face that an edge of the
 /// mesh crosses further than `distance` (lattice units) from the surface. Returns their number.
 /// Looks at all hits and their links or at those of `hits`, which ascend and are not divided yet.
-Index refine(const GridData& grid, const std::vector<LatticeBox>& boxes,
-             const std::vector<Vec3>& points, const Details& details, double distance,
-             DualMesh& mesh, const std::vector<Index>* hits = nullptr);
+Index refine(const GridView& view, const Details& details, double distance, DualMesh& mesh,
+             const std::vector<Index>* hits = nullptr);
 
 }  // namespace kdm

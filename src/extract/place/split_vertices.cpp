@@ -31,22 +31,14 @@ constexpr double kLeastCosine = 0.5;
 
 class Splitting {
  public:
-  Splitting(const GridData& grid, const std::vector<LatticeBox>& boxes,
-            const std::vector<Vec3>& points, const SplitError& error, VertexPosition position,
-            DualMesh& mesh)
-      : grid_(grid),
-        boxes_(boxes),
-        points_(points),
-        error_(error),
-        position_(position),
-        mesh_(mesh),
-        before_(mesh.triangles()) {}
+  Splitting(const GridView& view, const SplitError& error, VertexPosition position, DualMesh& mesh)
+      : view_(view), error_(error), position_(position), mesh_(mesh), before_(mesh.triangles()) {}
 
   Index run(const std::vector<Index>& vertices) {
     const auto loops = static_cast<Index>(mesh_.first.size());
     for (const Index v : vertices) {
       read_ring(v);
-      limit_ = error_limit(error_, points_, polygons_, mesh_.position[v]);
+      limit_ = error_limit(error_, view_, polygons_, mesh_.position[v]);
       split(v);
     }
     return static_cast<Index>(mesh_.first.size()) - loops;
@@ -55,7 +47,7 @@ class Splitting {
  private:
   // Cuts sections off v until what is left to it fits, or no cut leaves sound triangles.
   void split(Index v) {
-    while (!meets_planes(grid_, polygons_, mesh_.position[v], limit_)) {
+    while (!meets_planes(view_.grid, polygons_, mesh_.position[v], limit_)) {
       bool cut = false;
       for (std::size_t start = 0; start < polygons_.size() && !cut; ++start) {
         cut = cut_off(v, find_section(start, mesh_.leaf[v]));
@@ -99,8 +91,8 @@ class Splitting {
     for (std::size_t i = 0; i < section.count; ++i) {
       hits_.push_back(polygons_[(section.first + i) % polygons_.size()]);
     }
-    const Vec3 position = vertex_position(grid_, points_, hits_, boxes_[leaf], position_);
-    if (!meets_planes(grid_, hits_, position, limit_)) return false;
+    const Vec3 position = vertex_position(view_, hits_, view_.boxes[leaf], position_);
+    if (!meets_planes(view_.grid, hits_, position, limit_)) return false;
     section.position = position;
     return true;
   }
@@ -178,22 +170,20 @@ class Splitting {
     for (std::size_t i = section.count - shared; i < n + shared; ++i) {
       hits_.push_back(polygons_[(section.first + i) % n]);
     }
-    return vertex_position(grid_, points_, hits_, boxes_[leaf], position_);
+    return vertex_position(view_, hits_, view_.boxes[leaf], position_);
   }
 
   // Would the triangle beside the new edge be turned away from the polygon it continues?
   bool folded(Index hit, Index u, const Vec3& from, const Vec3& to) const {
     const Vec3& apex = mesh_.position[u];
     const Vec3 normal = (from - apex).cross(to - apex);
-    const Vec3& wanted = grid_.plane_of(hit).normal;
+    const Vec3& wanted = view_.grid.plane_of(hit).normal;
     return !(normal.dot(wanted) > kLeastCosine * normal.norm());
   }
 
   Index target(Index half_edge) const { return mesh_.vertex[next_in_triangle(half_edge)]; }
 
-  const GridData& grid_;
-  const std::vector<LatticeBox>& boxes_;
-  const std::vector<Vec3>& points_;
+  GridView view_;
   SplitError error_;
   VertexPosition position_;
   DualMesh& mesh_;
@@ -209,10 +199,9 @@ class Splitting {
 
 }  // namespace
 
-Index split_vertices(const GridData& grid, const std::vector<LatticeBox>& boxes,
-                     const std::vector<Vec3>& points, const SplitError& error,
-                     VertexPosition position, const std::vector<Index>& vertices, DualMesh& mesh) {
-  return Splitting(grid, boxes, points, error, position, mesh).run(vertices);
+Index split_vertices(const GridView& view, const SplitError& error, VertexPosition position,
+                     const std::vector<Index>& vertices, DualMesh& mesh) {
+  return Splitting(view, error, position, mesh).run(vertices);
 }
 
 }  // namespace kdm

@@ -8,8 +8,7 @@ namespace kdm {
 
 /// Splits each of the vertices that lies further off than the error: its ring is cut into sections
 /// that one vertex each can serve. Returns the number of vertices added; each brings two triangles.
-Index split_vertices(const GridData& grid, const std::vector<LatticeBox>& boxes,
-                     const std::vector<Vec3>& points, const SplitError& error,
-                     VertexPosition position, const std::vector<Index>& vertices, DualMesh& mesh);
+Index split_vertices(const GridView& view, const SplitError& error, VertexPosition position,
+                     const std::vector<Index>& vertices, DualMesh& mesh);
 
 }  // namespace kdm

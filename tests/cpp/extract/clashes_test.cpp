@@ -28,7 +28,7 @@ struct Stage {
         loops(dual_mesh_of(grid)) {
     drop_pillows(loops);
     find_loops(grid, loops);
-    place_vertices(grid, boxes, points, {}, VertexPosition::kConstrained, loops);
+    place_vertices(view(), {}, VertexPosition::kConstrained, loops);
     for (Index v = 0; v < loops.position.size(); ++v) {
       const Vec3 lo = real(boxes[loops.leaf[v]].lo);
       const Vec3 hi = real(boxes[loops.leaf[v]].hi);
@@ -42,17 +42,19 @@ struct Stage {
 
   void make(const std::vector<Index>* hits = nullptr) {
     const std::size_t vertices = mesh.first.size();
-    refine(grid, boxes, points, details, grid.tolerance, mesh, hits);
+    refine(view(), details, grid.tolerance, mesh, hits);
     std::vector<Index> present;
     for (Index v = 0; v < mesh.first.size(); ++v) {
       if (mesh.first[v] != kNone) present.push_back(v);
     }
-    separate_double_edges(points, mesh, &present);
-    unfold(grid, details, mesh);
+    separate_double_edges(view(), mesh, &present);
+    unfold(view(), details, mesh);
     for (std::size_t v = vertices; v < mesh.position.size(); ++v) {
       mesh.position[v] = rounded(mesh.position[v]);
     }
   }
+
+  GridView view() const { return {grid, boxes, points}; }
 
   Vec3 rounded(const Vec3& p) const {
     return grid.lattice.to_lattice(single_precision(grid.lattice, p));
@@ -102,7 +104,7 @@ TEST(Clashes, AreThoseOfAllPairs) {
       SCOPED_TRACE(number++);
       Stage stage(model, options);
       stage.make();
-      Clashes clashes(stage.grid, stage.boxes, stage.points, stage.loops);
+      Clashes clashes(stage.view(), stage.loops);
       clashes.find(stage.mesh);
       ASSERT_EQ(clashes.pairs(), stage.crossings());
       found += clashes.pairs();
@@ -116,7 +118,7 @@ TEST(Clashes, MostHitsKeepToTheirEnvelopes) {
   for (const BuildOptions& options : rules()) {
     Stage stage(shapes::icosphere(4), options);
     stage.make();
-    Envelopes envelopes(stage.grid, stage.boxes, stage.points, stage.loops);
+    Envelopes envelopes(stage.view(), stage.loops);
     HitTriangles triangles(static_cast<Index>(stage.grid.hits.size()));
     triangles.read(stage.mesh);
     std::size_t held = 0;
@@ -134,7 +136,7 @@ TEST(Clashes, AreTheSameAfterChanges) {
       SCOPED_TRACE(number++);
       Stage stage(model, options);
       stage.make();
-      Clashes clashes(stage.grid, stage.boxes, stage.points, stage.loops);
+      Clashes clashes(stage.view(), stage.loops);
       clashes.find(stage.mesh);
       for (Index round = 0; round < 2; ++round) {
         std::vector<Index> hits;

@@ -133,13 +133,14 @@ TEST(Embed, FullDetailKeepsEachTriangleInItsLeaf) {
     const GridData& grid = handle.data();
     const std::vector<LatticeBox> boxes = cell_boxes(grid);
     const std::vector<Vec3> points = hit_points(grid, boxes);
+    const GridView view{grid, boxes, points};
     DualMesh dual = dual_mesh_of(grid);
     find_loops(grid, dual);
-    place_vertices(grid, boxes, points, {}, VertexPosition::kConstrained, dual);
+    place_vertices(view, {}, VertexPosition::kConstrained, dual);
     Details details;
     details.hits.assign(grid.hits.size(), Detail::kApart);
     details.loops.assign(dual.first.size(), Detail::kApart);
-    refine(grid, boxes, points, details, 1e9, dual);
+    refine(view, details, 1e9, dual);
     check::expect_sound(dual);
     for (Index t = 0; t < dual.triangles(); ++t) {
       int loops = 0;

@@ -60,7 +60,7 @@ struct Ring {
     return sum;
   }
   Vec3 vertex(VertexPosition position) const {
-    return vertex_position(grid, points, hits, box, position);
+    return vertex_position({grid, {}, points}, hits, box, position);
   }
   bool holds(const Vec3& x) const {
     return (x.array() >= real(box.lo).array()).all() && (x.array() <= real(box.hi).array()).all();

@@ -65,8 +65,9 @@ struct TwoHits {
                    {m.normalized(), m.normalized().dot(q)}};
     grid.hits = {Hit(0, 0, false, false), Hit(0, 1, false, false)};
   }
-  Vec3 crease() const { return crease_point(grid, points, face, {0, 1}, {}, 0); }
-  Vec3 chord() const { return chord_point(points, face, {0, 1}); }
+  GridView view() const { return {grid, {}, points}; }
+  Vec3 crease() const { return crease_point(view(), face, {0, 1}, {}, 0); }
+  Vec3 chord() const { return chord_point(view(), face, {0, 1}); }
 };
 
 TEST(LinkPoint, IsWhereThePlanesMeet) {
@@ -85,13 +86,13 @@ TEST(LinkPoint, IsWhereThePlanesMeet) {
 TEST(LinkPoint, StaysAtASharpEdgeBeyondTheFace) {
   const LinkFace face{Vec3(8, 0, 0), Vec3(8, 10, 40), 0};
   TwoHits wedge(Vec3(8, 0, 14), Vec3(0, -1, 4), Vec3(8, 0, 0), Vec3(0, 1, -1));
-  const Vec3 beyond = crease_point(wedge.grid, wedge.points, face, {0, 1}, {}, 0);
+  const Vec3 beyond = crease_point(wedge.view(), face, {0, 1}, {}, 0);
   EXPECT_EQ(beyond[1], 10) << "the planes meet at y = 18.7";
   EXPECT_GT(beyond[2], 8) << "not halfway between the hits";
   // A third plane, of a hit elsewhere, cuts the edge off within the face.
   wedge.grid.planes.push_back({Vec3(0, 1, 0), 7});
   wedge.grid.hits.push_back(Hit(0, 2, false, false));
-  const Vec3 cut = crease_point(wedge.grid, wedge.points, face, {0, 1}, std::vector<Index>{2}, 0.5);
+  const Vec3 cut = crease_point(wedge.view(), face, {0, 1}, std::vector<Index>{2}, 0.5);
   EXPECT_NEAR(cut[1], 7, 1e-9);
   EXPECT_GT(cut[2], 8);
 }
@@ -106,7 +107,7 @@ TEST(LinkPoint, IsDrawnBackToAPlaneThatCutsTheCreaseOff) {
       roof.grid.hits.push_back(
           Hit(0, static_cast<Index>(roof.grid.planes.size() - 1), false, false));
       const std::vector<Index> hits{0, 1, static_cast<Index>(roof.grid.hits.size() - 1)};
-      return behind_planes(roof.grid, roof.points, {0, 1}, hits, distance, ridge);
+      return behind_planes(roof.view(), {0, 1}, hits, distance, ridge);
     };
     EXPECT_LT((drawn_back(5, 0.5) - Vec3(8, 5, 5)).norm(), 1e-9);
     EXPECT_EQ(drawn_back(5, 2.5), ridge) << "within the distance";
@@ -114,9 +115,8 @@ TEST(LinkPoint, IsDrawnBackToAPlaneThatCutsTheCreaseOff) {
     EXPECT_EQ(drawn_back(9, 0.5), ridge) << "above the ridge";
   }
   const TwoHits bent(Vec3(8, 0, 5), Vec3(0, -1, 4), Vec3(8, 10, 5), Vec3(0, -1, 1));
-  EXPECT_EQ(
-      behind_planes(bent.grid, bent.points, {0, 1}, std::vector<Index>{0, 1}, 0.01, Vec3(8, 2, 3)),
-      Vec3(8, 2, 3));
+  EXPECT_EQ(behind_planes(bent.view(), {0, 1}, std::vector<Index>{0, 1}, 0.01, Vec3(8, 2, 3)),
+            Vec3(8, 2, 3));
 }
 
 // z  _______----- 2-3 from the edge itself to the side beyond it
@@ -127,17 +127,19 @@ TEST(LinkPoint, ArcsKeepBelowWhatPassesOver) {
                                     Vec3(8, 100, 1), Vec3(8, 40, 0), Vec3(8, 70, 0),
                                     Vec3(8, 30, 50), Vec3(8, 60, 50)};
   const std::vector<HitPair> links = {{4, 5}, {0, 1}, {6, 7}, {2, 3}};
-  const Vec3 outer = chord_point(points, face, {0, 1}, links);
-  const Vec3 inner = chord_point(points, face, {4, 5}, links);
-  EXPECT_GT(chord_point(points, face, {0, 1})[2], 1) << "by its length alone it would cross 2-3";
+  const GridData grid;
+  const GridView view{grid, {}, points};
+  const Vec3 outer = chord_point(view, face, {0, 1}, links);
+  const Vec3 inner = chord_point(view, face, {4, 5}, links);
+  EXPECT_GT(chord_point(view, face, {0, 1})[2], 1) << "by its length alone it would cross 2-3";
   // The line 2-3 rises from 0 at y = 10 to 1 at y = 100.
   EXPECT_LT(outer[2], 1.0 / 9 + 1e-12);
   EXPECT_GT(outer[2], 0.01);
   EXPECT_LT(inner[2], outer[2] * 2 / 3) << "the outer arc's height over y = 40";
   EXPECT_GT(inner[2], 0);
   EXPECT_EQ(inner[1], 55);
-  EXPECT_EQ(chord_point(points, face, {2, 3}, links), Vec3(8, 55, 0.5));
-  EXPECT_LT(chord_point(points, face, {6, 7}, links)[2], 50) << "the other way, from another side";
+  EXPECT_EQ(chord_point(view, face, {2, 3}, links), Vec3(8, 55, 0.5));
+  EXPECT_LT(chord_point(view, face, {6, 7}, links)[2], 50) << "the other way, from another side";
 }
 
 TEST(LinkPoint, ArcsOverOneEdgeLeaveItNested) {

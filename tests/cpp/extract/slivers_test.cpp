@@ -48,8 +48,10 @@ struct Placed {
         mesh(dual_mesh_of(grid)) {
     drop_pillows(mesh);
     find_loops(grid, mesh);
-    place_vertices(grid, boxes, points, {}, VertexPosition::kConstrained, mesh);
+    place_vertices(view(), {}, VertexPosition::kConstrained, mesh);
   }
+
+  GridView view() const { return {grid, boxes, points}; }
 
   std::vector<Index> ring(Index v) const {
     std::vector<Index> hits;
@@ -95,7 +97,7 @@ TEST(Slivers, VerticesStayInTheirLeavesAndNearTheirPlanes) {
       Placed placed(model, options);
       const std::vector<Vec3> before = placed.mesh.position;
       folds_before += placed.folds();
-      moves += move_off_slivers(placed.grid, placed.boxes, placed.points, placed.mesh);
+      moves += move_off_slivers(placed.view(), placed.mesh);
       folds_after += placed.folds();
       for (Index v = 0; v < before.size(); ++v) {
         const Vec3& p = placed.mesh.position[v];
@@ -135,7 +137,7 @@ TEST(Slivers, VerticesAtOnePointArePartedInThePlane) {
   const Vec3 middle = 0.5 * (placed.mesh.position[corners(0)] + placed.mesh.position[corners(1)]);
   for (const Index i : {0, 1}) placed.mesh.position[corners(i)] = middle;
   ASSERT_EQ(placed.least_sine_of(t), 0);
-  EXPECT_EQ(move_off_slivers(placed.grid, placed.boxes, placed.points, placed.mesh), 1u);
+  EXPECT_EQ(move_off_slivers(placed.view(), placed.mesh), 1u);
   for (const Index i : {0, 1}) {
     for (const Index h : placed.ring(corners(i))) EXPECT_GT(placed.least_sine_of(h), kThinSine);
   }
@@ -145,7 +147,7 @@ TEST(Slivers, RimsStay) {
   Placed placed(shapes::open(shapes::icosphere(2), 40),
                 {.relative_tolerance = 0.02, .inside = InsideRule::kSheet});
   ASSERT_FALSE(placed.grid.rims.empty());
-  EXPECT_EQ(move_off_slivers(placed.grid, placed.boxes, placed.points, placed.mesh), 0u);
+  EXPECT_EQ(move_off_slivers(placed.view(), placed.mesh), 0u);
 }
 
 bool flat_in_single_precision(const Mesh& mesh, const Triangle& t) {
@@ -160,7 +162,7 @@ TEST(Slivers, TrianglesGetAnAreaThat32BitsShow) {
     Placed placed(shapes::translated(shapes::icosphere(3), where),
                   {.strategy = SplitStrategy::kOctree, .depth = 12});
     DualMesh& mesh = placed.mesh;
-    EXPECT_EQ(give_area(placed.grid, mesh), 0u);
+    EXPECT_EQ(give_area(placed.view(), mesh), 0u);
     // Every tenth triangle has two corners at one point, or three on one line.
     for (Index t = 0; t < mesh.triangles(); t += 10) {
       Vec3& a = mesh.position[mesh.vertex[3 * t]];
@@ -169,7 +171,7 @@ TEST(Slivers, TrianglesGetAnAreaThat32BitsShow) {
       a = t % 20 == 0 ? b : Vec3(0.5 * (b + c));
     }
     const std::vector<Vec3> before = mesh.position;
-    const Index moves = give_area(placed.grid, mesh);
+    const Index moves = give_area(placed.view(), mesh);
     EXPECT_GT(moves, mesh.triangles() / 20);
     for (Index v = 0; v < before.size(); ++v) {
       // A vertex may be moved for several triangles.
@@ -183,7 +185,7 @@ TEST(Slivers, TrianglesGetAnAreaThat32BitsShow) {
 TEST(Slivers, FarOffNothingIsTried) {
   Placed placed(shapes::translated(shapes::icosphere(3), Vec3(1e8, 0, 0)),
                 {.strategy = SplitStrategy::kOctree, .depth = 12});
-  EXPECT_EQ(give_area(placed.grid, placed.mesh), 0u);
+  EXPECT_EQ(give_area(placed.view(), placed.mesh), 0u);
 }
 
 TEST(Slivers, NoResultHasATriangleWithoutArea) {

@@ -40,6 +40,8 @@ struct Fan {
   std::vector<Index> off;  // the vertices to be split
   std::vector<LatticeBox> boxes{{{0, 0, 0}, {kSize, kSize, kSize}}};
 
+  GridView view() const { return {grid, boxes, points}; }
+
   explicit Fan(const std::vector<int>& ring) {
     const auto n = static_cast<Index>(ring.size());
     std::vector<Triangle> triangles;
@@ -57,7 +59,7 @@ struct Fan {
     // Vertices were numbered as leaves; each gets a box of its own number.
     boxes.assign(n + 2, boxes[0]);
     find_loops(grid, mesh);
-    off = place_vertices(grid, boxes, points, kError, VertexPosition::kConstrained, mesh);
+    off = place_vertices(view(), kError, VertexPosition::kConstrained, mesh);
   }
 };
 
@@ -69,14 +71,14 @@ TEST(SplitVertices, EveryRingOfUpToSixPolygonsStaysASphere) {
       Fan fan(ring);
       const auto loops = static_cast<Index>(fan.mesh.first.size());
       const Index triangles = fan.mesh.triangles();
-      const Index added = split_vertices(fan.grid, fan.boxes, fan.points, kError,
-                                         VertexPosition::kConstrained, fan.off, fan.mesh);
+      const Index added =
+          split_vertices(fan.view(), kError, VertexPosition::kConstrained, fan.off, fan.mesh);
       ASSERT_EQ(fan.mesh.first.size(), loops + added);
       ASSERT_EQ(fan.mesh.triangles(), triangles + 2 * added);
       ASSERT_EQ(fan.mesh.position.size(), fan.mesh.first.size());
       ASSERT_EQ(fan.mesh.leaf.size(), fan.mesh.first.size());
       check::expect_sound(fan.mesh);
-      separate_double_edges(fan.points, fan.mesh);
+      separate_double_edges(fan.view(), fan.mesh);
       const check::MeshCheck result = check::check_mesh(shapes::index_mesh(fan.mesh));
       ASSERT_TRUE(result.two_manifold) << testing::PrintToString(ring) << result.faults();
       ASSERT_EQ(result.euler_characteristic, 2);

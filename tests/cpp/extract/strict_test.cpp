@@ -19,9 +19,11 @@
 namespace kdm {
 namespace {
 
+const GridData kNoGrid;
+
 // Loops, arbitrary positions, and one point a hit.
 std::vector<Vec3> prepare(DualMesh& mesh) {
-  find_loops(GridData(), mesh);
+  find_loops(kNoGrid, mesh);
   for (Index v = 0; v < mesh.first.size(); ++v) {
     mesh.position.emplace_back(v, v * v % 7, v * v * v % 11);
   }
@@ -45,7 +47,7 @@ TEST(Strict, ADoubleEdgeGetsOneVertex) {
   DualMesh mesh = shapes::beach_ball(2);
   const std::vector<Vec3> points = prepare(mesh);
   ASSERT_FALSE(check::is_two_manifold(shapes::index_mesh(mesh)));
-  EXPECT_EQ(separate_double_edges(points, mesh), 1u);
+  EXPECT_EQ(separate_double_edges({kNoGrid, {}, points}, mesh), 1u);
   check::expect_sound(mesh);
   const check::MeshCheck result = check::check_mesh(shapes::index_mesh(mesh));
   EXPECT_TRUE(result.two_manifold) << result.faults();
@@ -65,7 +67,7 @@ TEST(Strict, MultipleEdgesKeepOne) {
   for (Index disks = 2; disks <= 9; ++disks) {
     DualMesh mesh = shapes::beach_ball(disks);
     const std::vector<Vec3> points = prepare(mesh);
-    EXPECT_EQ(separate_double_edges(points, mesh), disks - 1);
+    EXPECT_EQ(separate_double_edges({kNoGrid, {}, points}, mesh), disks - 1);
     check::expect_sound(mesh);
     const check::MeshCheck result = check::check_mesh(shapes::index_mesh(mesh));
     EXPECT_TRUE(result.two_manifold) << disks << ": " << result.faults();
@@ -78,7 +80,7 @@ TEST(Strict, ARingOfManyNeighboursIsSearchedToo) {
   // More than a dozen neighbours, two of them the same.
   DualMesh mesh = shapes::beach_ball(20);
   const std::vector<Vec3> points = prepare(mesh);
-  EXPECT_EQ(separate_double_edges(points, mesh), 19u);
+  EXPECT_EQ(separate_double_edges({kNoGrid, {}, points}, mesh), 19u);
   EXPECT_TRUE(check::is_two_manifold(shapes::index_mesh(mesh)));
 }
 
@@ -93,7 +95,7 @@ TEST(Strict, BothTrianglesMayHaveTheSameThirdVertex) {
         mesh.vertex[previous_in_triangle(h)] == mesh.vertex[previous_in_triangle(mesh.opposite[h])];
   }
   ASSERT_TRUE(found);
-  const Index inserted = separate_double_edges(points, mesh);
+  const Index inserted = separate_double_edges({kNoGrid, {}, points}, mesh);
   EXPECT_GE(inserted, 6u) << "twelve edges, but four vertices have six pairs only";
   check::expect_sound(mesh);
   EXPECT_EQ(surplus_edges(mesh), 0u);
@@ -113,7 +115,7 @@ TEST(Strict, EveryTightTorusBecomesManifold) {
         const std::vector<Vec3> points = prepare(mesh);
         ASSERT_EQ(mesh.first.size(), n);
         const Index surplus = surplus_edges(mesh);
-        const Index inserted = separate_double_edges(points, mesh);
+        const Index inserted = separate_double_edges({kNoGrid, {}, points}, mesh);
         EXPECT_GE(inserted, surplus);
         EXPECT_EQ(mesh.first.size(), n + inserted);
         EXPECT_EQ(mesh.triangles(), 2 * n + 2 * inserted);
@@ -136,7 +138,7 @@ TEST(Strict, WhatIsManifoldStaysAsItIs) {
         shapes::dual_mesh(shapes::torus(1, 0.3, 6, 5).triangles), shapes::tight_torus(7, 1, 2)}) {
     const std::vector<Vec3> points = prepare(mesh);
     const DualMesh before = mesh;
-    EXPECT_EQ(separate_double_edges(points, mesh), 0u);
+    EXPECT_EQ(separate_double_edges({kNoGrid, {}, points}, mesh), 0u);
     EXPECT_EQ(mesh.vertex, before.vertex);
     EXPECT_EQ(mesh.opposite, before.opposite);
     EXPECT_EQ(mesh.hit, before.hit);
@@ -147,7 +149,7 @@ TEST(Strict, AStripThatIsDividedIsNoLongerOne) {
   DualMesh mesh = shapes::beach_ball(2);
   const std::vector<Vec3> points = prepare(mesh);
   mesh.strip = {1, 1, 1, 1};  // both edges 0-1 cross strips
-  separate_double_edges(points, mesh);
+  separate_double_edges({kNoGrid, {}, points}, mesh);
   Index strips = 0;
   for (Index t = 0; t < mesh.triangles(); ++t) {
     for (Index i = 0; i < 3; ++i) {

@@ -66,7 +66,7 @@ TEST(Unfold, BeyondACreaseNothingIsFlipped) {
   ASSERT_EQ(turned_away(tent), 1);
   tent.grid.tolerance = 0.01;
   const double volume = shapes::signed_volume(shapes::index_mesh(tent.mesh));
-  EXPECT_EQ(unfold(tent.grid, {}, tent.mesh), 0u) << "another edge would cut the crease";
+  EXPECT_EQ(unfold({tent.grid}, {}, tent.mesh), 0u) << "another edge would cut the crease";
   EXPECT_EQ(shapes::signed_volume(shapes::index_mesh(tent.mesh)), volume);
 }
 
@@ -74,7 +74,7 @@ TEST(Unfold, WhatIsFlatStays) {
   Tent tent(Vec3(0.4, 0.7, 1));
   tent.grid.tolerance = 0.01;
   EXPECT_EQ(turned_away(tent), 0);
-  EXPECT_EQ(unfold(tent.grid, {}, tent.mesh), 0u);
+  EXPECT_EQ(unfold({tent.grid}, {}, tent.mesh), 0u);
   check::expect_sound(tent.mesh);
 }
 
@@ -95,9 +95,9 @@ TEST(Unfold, ThreeInARowAlongACrease) {
   ASSERT_LT(least_angle_sine(tent), 0.01);
   const double volume = shapes::signed_volume(shapes::index_mesh(tent.mesh));
   tent.grid.tolerance = 0.0001;
-  EXPECT_EQ(unfold(tent.grid, {}, tent.mesh), 0u) << "the vertex is off the front";
+  EXPECT_EQ(unfold({tent.grid}, {}, tent.mesh), 0u) << "the vertex is off the front";
   tent.grid.tolerance = 0.01;
-  EXPECT_EQ(unfold(tent.grid, {}, tent.mesh), 1u);
+  EXPECT_EQ(unfold({tent.grid}, {}, tent.mesh), 1u);
   check::expect_sound(tent.mesh);
   EXPECT_GT(least_angle_sine(tent), 0.2);
   EXPECT_EQ(turned_away(tent), 0);

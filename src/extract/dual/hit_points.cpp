@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+// Where the surface crosses the grid's edges.
+#include <algorithm>
+#include <cmath>
+
+#include "extract/dual/grid_view.h"
+
+namespace kdm {
+namespace {
+
+// Lattice units, where there is room.
+constexpr double kBetweenHits = 2;
+constexpr double kFromEnds = 1.0 / 3;
+
+struct Stretch {
+  double lo;
+  double hi;
+  bool operator==(const Stretch&) const = default;
+};
+
+// What the leaves round the hit have in common of its edge. No grid vertex lies within.
+Stretch stretch_round(const GridData& grid, std::span<const LatticeBox> boxes, Index hit,
+                      int axis) {
+  std::int32_t lo = 0;
+  std::int32_t hi = kLatticeSize;
+  const auto narrow = [&](Index of_hit) {
+    for (Index h = 3 * of_hit; h < 3 * of_hit + 3; ++h) {
+      const LatticeBox& box = boxes[grid.start_leaf(h)];
+      lo = std::max(lo, box.lo[axis]);
+      hi = std::min(hi, box.hi[axis]);
+    }
+  };
+  narrow(hit);
+  // Coincident edges have the same hits, which must go to the same places.
+  for (Index h = 3 * hit; h < 3 * hit + 3; ++h) {
+    if (grid.crosses_strip(h) && grid.opposite[h] != kNone) narrow(grid.opposite[h] / 3);
+  }
+  return {static_cast<double>(lo), static_cast<double>(hi)};
+}
+
+// Hits of one edge that lie close together or at a grid vertex.
+void keep_apart(const GridData& grid, std::span<const LatticeBox> boxes, Index begin, Index end,
+                int axis, std::vector<Vec3>& points) {
+  const auto at = [&](Index h) -> double& { return points[h][axis]; };
+  const auto tight = [&](Index h) {
+    constexpr double kNear = 1.0 / 8;
+    return std::abs(at(h) - std::floor(at(h) + 0.5)) < kNear ||
+           (h > begin && at(h) - at(h - 1) < kBetweenHits);
+  };
+  Index first = begin;
+  while (first < end) {
+    if (!tight(first) && (first + 1 == end || !tight(first + 1))) {
+      ++first;
+      continue;
+    }
+    const Stretch stretch = stretch_round(grid, boxes, first, axis);
+    while (first > begin && at(first - 1) >= stretch.lo &&
+           stretch_round(grid, boxes, first - 1, axis) == stretch) {
+      --first;
+    }
+    Index next = first + 1;
+    while (next < end && stretch_round(grid, boxes, next, axis) == stretch) ++next;
+    const double room = (stretch.hi - stretch.lo) / (next - first + 1);
+    const double between = std::min(kBetweenHits, room);
+    const double from_ends = std::min(kFromEnds, room);
+    for (Index h = first; h < next; ++h) {
+      at(h) = std::max(at(h), h == first ? stretch.lo + from_ends : at(h - 1) + between);
+    }
+    for (Index h = next; h-- > first;) {
+      at(h) = std::min(at(h), h + 1 == next ? stretch.hi - from_ends : at(h + 1) - between);
+    }
+    first = next;
+  }
+}
+
+}  // namespace
+
+std::vector<Vec3> hit_points(const GridData& grid, std::span<const LatticeBox> boxes, bool apart) {
+  std::vector<Vec3> points(grid.hits.size());
+  for (std::size_t c = 0; c < grid.cells.size(); ++c) {
+    const Cell& cell = grid.cells[c];
+    if (cell.leaf()) continue;
+    const int u = next_axis(cell.axis());
+    const int v = previous_axis(cell.axis());
+    for (int i = 0; i < 4; ++i) {
+      const Index edge = 4 * cell.split() + static_cast<Index>(i);
+      Vec3 point;
+      point[cell.axis()] = cell.value();
+      point[u] = i == 1 ? boxes[c].hi[u] : boxes[c].lo[u];
+      point[v] = i == 2 ? boxes[c].hi[v] : boxes[c].lo[v];
+      for (Index h = grid.edge_begin[edge]; h < grid.edge_begin[edge + 1]; ++h) {
+        point[axis_of_edge(cell.axis(), i)] = real_position(grid.hits[h].position);
+        points[h] = point;
+      }
+      if (apart) {
+        keep_apart(grid, boxes, grid.edge_begin[edge], grid.edge_begin[edge + 1],
+                   axis_of_edge(cell.axis(), i), points);
+      }
+    }
+  }
+  return points;
+}
+
+}  // namespace kdm
