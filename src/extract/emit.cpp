@@ -23,11 +23,11 @@ Index quad_diagonal(const DualMesh& mesh, Index t) {
 
 // In the result, where dropped ones are left out.
 std::vector<Index> numbers_of_vertices(const DualMesh& mesh) {
-  std::vector<Index> numbers(mesh.first.size());
+  std::vector<Index> numbers(mesh.vertices());
   Index number = 0;
   for (Index v = 0; v < numbers.size(); ++v) {
     numbers[v] = number;
-    if (mesh.first[v] != kNone) ++number;
+    if (mesh.first_half_edge[v] != kNone) ++number;
   }
   return numbers;
 }
@@ -40,7 +40,7 @@ Mesh emit(const GridData& grid, const DualMesh& mesh, const std::vector<Vec3>& n
   out.positions.reserve(mesh.position.size());
   const std::vector<Index> numbers = numbers_of_vertices(mesh);
   for (Index v = 0; v < mesh.position.size(); ++v) {
-    if (mesh.first[v] == kNone) continue;
+    if (mesh.first_half_edge[v] == kNone) continue;
     const Vec3& p = mesh.position[v];
     out.positions.push_back(single ? single_precision(grid.lattice, p) : grid.lattice.to_model(p));
   }

@@ -123,14 +123,14 @@ class Meshing {
 
     template <typename Step>
     void note(const DualMesh& mesh, const Step& step) {
-      const std::size_t first = mesh.first.size();
+      const std::size_t first = mesh.vertices();
       step();
-      ranges.emplace_back(first, mesh.first.size());
+      ranges.emplace_back(first, mesh.vertices());
     }
     Index present(const DualMesh& mesh) const {
       Index count = 0;
       for (const auto& [first, end] : ranges) {
-        for (Index v = first; v < end; ++v) count += mesh.first[v] != kNone ? 1 : 0;
+        for (Index v = first; v < end; ++v) count += mesh.first_half_edge[v] != kNone ? 1 : 0;
       }
       return count;
     }
@@ -170,7 +170,7 @@ class Meshing {
 
   void make(const Details& details, const Restored* part, DualMesh& mesh) {
     const Index triangles = mesh.triangles();
-    const auto vertices = static_cast<Index>(mesh.first.size());
+    const auto vertices = mesh.vertices();
     std::vector<Index> off;
     const std::vector<Index>& candidates = part == nullptr ? off_ : part->cut;
     std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(off),
@@ -193,11 +193,11 @@ class Meshing {
       for (Index i = first; i < end; ++i) numbers.push_back(i);
       return numbers;
     };
-    const std::vector<Index> rings = with_new(part->loops, vertices, mesh.first.size());
+    const std::vector<Index> rings = with_new(part->loops, vertices, mesh.vertices());
     doubles_.note(mesh, [&] { separate_double_edges(view(), mesh, &rings); });
     if (!options_.unfold) return;
     std::vector<Index> changed = part->hits;
-    changed.insert(changed.end(), mesh.touched.begin(), mesh.touched.end());
+    changed.insert(changed.end(), mesh.touched_hits.begin(), mesh.touched_hits.end());
     const std::vector<Index> folds = with_new(std::move(changed), triangles, mesh.triangles());
     flips_ += unfold(view(), details, mesh, &folds);
   }
@@ -222,11 +222,7 @@ class Meshing {
     Vec3 sum = Vec3::Zero();
     int count = 0;
     const auto for_each_point = [&](const auto& visit) {
-      Index half_edge = mesh.first[v];
-      do {
-        visit(hit_points_[mesh.hit[half_edge / 3]]);
-        half_edge = mesh.turn(half_edge);
-      } while (half_edge != mesh.first[v] && half_edge != kNone);
+      for (const HalfEdgeId h : mesh.ring(v)) visit(hit_points_[mesh.hit[h / 3]]);
     };
     for_each_point([&](const Vec3& p) {
       sum += p;

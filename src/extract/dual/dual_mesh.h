@@ -4,66 +4,73 @@
 
 #include <vector>
 
+#include "extract/dual/ring.h"
 #include "grid/grid_data.h"
 
 namespace kdm {
 
 /// Half-edges 3t, 3t+1, 3t+2 run round triangle t. Triangle t is hit t's, until more are added.
 struct DualMesh {
-  std::vector<Index> opposite;  ///< kNone on the boundary
-  std::vector<Index> vertex;    ///< in which the half-edge starts; kNone in dropped triangles
-  std::vector<Index> hit;       ///< per triangle: the hit it stands for
-  std::vector<char> strip;      ///< per triangle: bit i, half-edge i crosses a strip
-  std::vector<Index> first;     ///< per vertex: a half-edge that starts there; on the boundary, the
-                                ///< one from which `turn` goes through all; kNone: dropped
-  std::vector<Index> leaf;      ///< per vertex: the leaf it lies in; kNone for inserted ones
-  std::vector<Vec3> position;   ///< per vertex, in lattice coordinates
-  std::vector<char> edited;     ///< per hit: more was done to its triangles than division
-  std::vector<Index> touched;   ///< hits whose triangles were edited or divided, in turn
-  std::vector<char> cut;        ///< per loop: vertices were split off
-  std::vector<Index> beside;    ///< per loop: the next one of its leaf, all round
-  std::vector<char> through;    ///< per hit: bit i, as half-edge i was linked at first, the surface
-                                ///< goes through the inside of the minimal face there
+  std::vector<HalfEdgeId> opposite;  ///< kNone on the boundary
+  std::vector<VertexId> vertex;      ///< in which the half-edge starts; kNone in dropped triangles
+  std::vector<HitId> hit;            ///< per triangle: the hit it stands for
+  std::vector<char> strip;           ///< per triangle: bit i, half-edge i crosses a strip
+  std::vector<HalfEdgeId> first_half_edge;  ///< per vertex: one that starts there; on the boundary
+                                            ///< the first of its ring; kNone: dropped
+  std::vector<CellId> leaf;          ///< per vertex: the leaf it lies in; kNone for inserted ones
+  std::vector<Vec3> position;        ///< per vertex, in lattice coordinates
+  std::vector<char> edited;          ///< per hit: more was done to its triangles than division
+  std::vector<HitId> touched_hits;   ///< whose triangles were edited or divided, in that order
+  std::vector<char> loop_was_split;  ///< per loop: vertices were split off
+  std::vector<LoopId> next_loop_in_leaf;  ///< per loop: the next one of its leaf, cyclically
+  std::vector<char> link_inside_face;     ///< per hit: bit i, as half-edge i was linked at first,
+                                          ///< the surface passes inside of the minimal face there
   Index dropped_pillows = 0;
   bool open = false;  ///< there is a boundary
 
   Index triangles() const { return static_cast<Index>(hit.size()); }
-  bool dropped(Index triangle) const { return vertex[3 * triangle] == kNone; }
+  /// Counts vertices, also dropped ones.
+  Index vertices() const { return static_cast<Index>(first_half_edge.size()); }
+  bool dropped(TriangleId triangle) const { return vertex[3 * triangle] == kNone; }
   /// Notes that flips, splits or separated edges change the triangles of this hit.
-  void mark_edited(Index of_hit) {
+  void mark_edited(HitId of_hit) {
     if (edited.size() <= of_hit) edited.resize(of_hit + 1, 0);
     edited[of_hit] = 1;
-    touched.push_back(of_hit);
+    touched_hits.push_back(of_hit);
   }
 
   /// Appends triangle (a, b, c), unlinked; returns its first half-edge.
-  Index add_triangle(Index of_hit, Index a, Index b, Index c);
-  void link(Index h, Index g) {
+  HalfEdgeId add_triangle(HitId of_hit, VertexId a, VertexId b, VertexId c);
+  void link(HalfEdgeId h, HalfEdgeId g) {
     opposite[h] = g;
     if (g != kNone) opposite[g] = h;
   }
-  /// The next half-edge round the vertex in which this one starts; kNone behind the boundary.
-  Index turn(Index half_edge) const;
+
+  /// The half-edges that start in the vertex, once each, turning round it: all of them for a vertex
+  /// off the boundary, and on the boundary from one side to the other. None of a dropped vertex.
+  /// Valid until triangles are added or links change; vertices may change meanwhile.
+  Ring ring(VertexId v) const { return {opposite.data(), first_half_edge[v]}; }
+  /// The same, but begins with this half-edge; on the boundary without those before it.
+  Ring ring_from(HalfEdgeId half_edge) const { return {opposite.data(), half_edge}; }
+  /// The next half-edge of the ring round the vertex in which this one starts; kNone behind the
+  /// boundary.
+  HalfEdgeId next_in_ring(HalfEdgeId half_edge) const {
+    return Ring::next(opposite.data(), half_edge);
+  }
+  /// The vertex in which the half-edge ends.
+  VertexId end_vertex(HalfEdgeId half_edge) const { return vertex[next_in_triangle(half_edge)]; }
+
   /// The half-edge on the boundary that ends in the vertex; kNone if the vertex is not on it.
-  Index boundary_into(Index v) const;
-  /// Makes a half-edge that starts in the vertex lead to its `first`.
-  void set_first(Index v, Index half_edge);
+  HalfEdgeId boundary_into(VertexId v) const;
+  bool on_boundary(VertexId v) const { return boundary_into(v) != kNone; }
+  /// Makes the vertex's ring begin with this half-edge, which starts there; on the boundary with
+  /// the first of the half-edges that this one is among.
+  void set_first_half_edge(VertexId v, HalfEdgeId half_edge);
 };
 
-constexpr Index next_in_triangle(Index half_edge) {
-  return half_edge % 3 == 2 ? half_edge - 2 : half_edge + 1;
-}
-constexpr Index previous_in_triangle(Index half_edge) {
-  return half_edge % 3 == 0 ? half_edge + 2 : half_edge - 1;
-}
-
-inline Index DualMesh::turn(Index half_edge) const {
-  const Index other = opposite[half_edge];
-  return other == kNone ? kNone : next_in_triangle(other);
-}
-inline Index DualMesh::boundary_into(Index v) const {
+inline HalfEdgeId DualMesh::boundary_into(VertexId v) const {
   if (!open) return kNone;
-  const Index before = previous_in_triangle(first[v]);
+  const HalfEdgeId before = previous_in_triangle(first_half_edge[v]);
   return opposite[before] == kNone ? before : kNone;
 }
 
@@ -86,6 +93,6 @@ void drop_pillows(DualMesh& mesh);
 void find_loops(const GridData& grid, DualMesh& mesh);
 
 /// Finds which loops are in a leaf together.
-void find_beside(const GridData& grid, DualMesh& mesh);
+void find_loops_of_leaves(const GridData& grid, DualMesh& mesh);
 
 }  // namespace kdm

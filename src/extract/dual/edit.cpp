@@ -34,13 +34,13 @@ Index divide_edge(Index ab, const Vec3& position, DualMesh& mesh) {
   mesh.link(mad + 2, ad);
   mesh.vertex[bc] = m;
   mesh.vertex[ad] = m;
-  mesh.first.push_back(bc);
+  mesh.first_half_edge.push_back(bc);
   // Vertices a and b may have been entered by half-edges that start elsewhere now.
-  if (mesh.first[b] == bc) mesh.first[b] = mbc + 1;
-  if (mesh.first[a] == ad) mesh.first[a] = mad + 1;
+  if (mesh.first_half_edge[b] == bc) mesh.first_half_edge[b] = mbc + 1;
+  if (mesh.first_half_edge[a] == ad) mesh.first_half_edge[a] = mad + 1;
   if (mesh.open) {  // edges b-c and a-d may be boundary
-    mesh.set_first(c, mbc + 2);
-    mesh.set_first(d, mad + 2);
+    mesh.set_first_half_edge(c, mbc + 2);
+    mesh.set_first_half_edge(d, mad + 2);
   }
   mesh.strip[ab / 3] = mesh.strip[ba / 3] = 0;
   return m;
@@ -55,9 +55,9 @@ Index divide_boundary(Index ab, const Vec3& position, DualMesh& mesh) {
   mesh.link(mbc + 1, mesh.opposite[bc]);
   mesh.link(mbc + 2, bc);  // bc becomes m -> c
   mesh.vertex[bc] = m;
-  mesh.first.push_back(bc);
-  mesh.first[b] = mbc + 1;
-  mesh.set_first(c, mbc + 2);
+  mesh.first_half_edge.push_back(bc);
+  mesh.first_half_edge[b] = mbc + 1;
+  mesh.set_first_half_edge(c, mbc + 2);
   mesh.strip[ab / 3] = 0;
   return m;
 }
@@ -76,12 +76,12 @@ Index divide_triangle(Index triangle, const Vec3& position, DualMesh& mesh) {
   mesh.link(bcm + 1, cam + 2);
   mesh.link(cam + 1, ab + 2);
   mesh.vertex[ab + 2] = m;
-  mesh.first.push_back(ab + 2);
-  if (mesh.first[c] == ab + 2) mesh.first[c] = cam;
+  mesh.first_half_edge.push_back(ab + 2);
+  if (mesh.first_half_edge[c] == ab + 2) mesh.first_half_edge[c] = cam;
   if (mesh.open) {
-    mesh.set_first(a, ab);
-    mesh.set_first(b, ab + 1);
-    mesh.set_first(c, cam);
+    mesh.set_first_half_edge(a, ab);
+    mesh.set_first_half_edge(b, ab + 1);
+    mesh.set_first_half_edge(c, cam);
   }
   mesh.strip[triangle] = 0;
   return m;

@@ -22,23 +22,23 @@ Index only_neighbour(const DualMesh& mesh, Index triangle, Index except) {
 
 }  // namespace
 
-Index DualMesh::add_triangle(Index of_hit, Index a, Index b, Index c) {
-  const auto first_half_edge = static_cast<Index>(vertex.size());
+HalfEdgeId DualMesh::add_triangle(HitId of_hit, VertexId a, VertexId b, VertexId c) {
+  const auto half_edge = static_cast<HalfEdgeId>(vertex.size());
   vertex.insert(vertex.end(), {a, b, c});
   opposite.insert(opposite.end(), 3, kNone);
   hit.push_back(of_hit);
   strip.push_back(0);
-  return first_half_edge;
+  return half_edge;
 }
 
-void DualMesh::set_first(Index v, Index half_edge) {
-  first[v] = half_edge;
+void DualMesh::set_first_half_edge(VertexId v, HalfEdgeId half_edge) {
+  first_half_edge[v] = half_edge;
   if (!open) return;
-  for (Index h = half_edge;;) {
-    const Index behind = opposite[previous_in_triangle(h)];
+  for (HalfEdgeId h = half_edge;;) {
+    const HalfEdgeId behind = opposite[previous_in_triangle(h)];
     if (behind == half_edge) return;  // a ring
     if (behind == kNone) {
-      first[v] = h;
+      first_half_edge[v] = h;
       return;
     }
     h = behind;
@@ -53,7 +53,7 @@ DualMesh dual_mesh_of(const GridData& grid) {
   mesh.hit.resize(triangles);
   mesh.strip.assign(triangles, 0);
   mesh.edited.assign(triangles, 0);
-  mesh.through.assign(triangles, 0);
+  mesh.link_inside_face.assign(triangles, 0);
   for (Index t = 0; t < triangles; ++t) {
     mesh.hit[t] = t;
     const bool reversed = grid.hits[t].reversed();
@@ -116,35 +116,32 @@ void find_loops(const GridData& grid, DualMesh& mesh) {
   constexpr Index kFound = 1u << 31;
   KDM_ASSERT(grid.cells.size() < kFound, "cell numbers leave a bit free");
   static_cast<void>(grid);
-  mesh.first.reserve(mesh.opposite.size() / 6);
+  mesh.first_half_edge.reserve(mesh.opposite.size() / 6);
   mesh.leaf.reserve(mesh.opposite.size() / 6);
   for (Index start = 0; start < mesh.opposite.size(); ++start) {
     if (mesh.vertex[start] & kFound) continue;  // found, or dropped
     const Index leaf = mesh.vertex[start];
-    const Index loop = static_cast<Index>(mesh.first.size()) | kFound;
-    mesh.first.push_back(start);
+    const Index loop = mesh.vertices() | kFound;
+    mesh.first_half_edge.push_back(start);
     mesh.leaf.push_back(leaf);
-    if (mesh.open) mesh.set_first(static_cast<Index>(mesh.first.size() - 1), start);
-    const Index first = mesh.first.back();
-    Index half_edge = first;
-    do {
-      KDM_ASSERT(mesh.vertex[half_edge] == leaf, "a loop stays in one leaf");
-      mesh.vertex[half_edge] = loop;
-      half_edge = mesh.turn(half_edge);
-    } while (half_edge != first && half_edge != kNone);
+    if (mesh.open) mesh.set_first_half_edge(static_cast<Index>(mesh.vertices() - 1), start);
+    for (const HalfEdgeId h : mesh.ring_from(mesh.first_half_edge.back())) {
+      KDM_ASSERT(mesh.vertex[h] == leaf, "a loop stays in one leaf");
+      mesh.vertex[h] = loop;
+    }
   }
   for (Index& vertex : mesh.vertex) {
     if (vertex != kNone) vertex &= ~kFound;
   }
 }
 
-void find_beside(const GridData& grid, DualMesh& mesh) {
-  mesh.beside.resize(mesh.first.size());
+void find_loops_of_leaves(const GridData& grid, DualMesh& mesh) {
+  mesh.next_loop_in_leaf.resize(mesh.vertices());
   std::vector<Index> last(grid.cells.size(), kNone);  // of each leaf
-  for (Index v = 0; v < mesh.beside.size(); ++v) {
+  for (Index v = 0; v < mesh.next_loop_in_leaf.size(); ++v) {
     Index& before = last[mesh.leaf[v]];
-    mesh.beside[v] = before == kNone ? v : mesh.beside[before];
-    if (before != kNone) mesh.beside[before] = v;
+    mesh.next_loop_in_leaf[v] = before == kNone ? v : mesh.next_loop_in_leaf[before];
+    if (before != kNone) mesh.next_loop_in_leaf[before] = v;
     before = v;
   }
 }

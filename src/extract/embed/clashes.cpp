@@ -111,7 +111,7 @@ void Clashes::find_again(const DualMesh& mesh, const std::vector<Index>& hits) {
   places_.resize(mesh.position.size());
   suspect_.resize(mesh.triangles(), 0);
   seen_.assign(mesh.triangles(), kNone);
-  spread_.assign(mesh.first.size(), kUnknown);
+  spread_.assign(mesh.vertices(), kUnknown);
   pool_.clear();
   pool_begin_.assign(view_.grid.cells.size(), kNone);
   for (const Index h : around) {
@@ -322,13 +322,8 @@ bool Clashes::spread(const DualMesh& mesh, Index v) {
   if (spread_[v] != kUnknown) return spread_[v] == kYes;
   spread_[v] = kNo;
   Vec3 normal = Vec3::Zero();
-  const Index first = mesh.first[v];
-  Index half_edge = first;
-  do {
-    normal += view_.grid.plane_of(mesh.hit[half_edge / 3]).normal;
-    half_edge = mesh.turn(half_edge);
-    if (half_edge == kNone) return false;
-  } while (half_edge != first);
+  if (mesh.on_boundary(v)) return false;
+  for (const HalfEdgeId h : mesh.ring(v)) normal += view_.grid.plane_of(mesh.hit[h / 3]).normal;
   // Turned rightly, each takes less than half a turn: a ring that rises once winds once.
   int axis = 0;
   normal.cwiseAbs().minCoeff(&axis);
@@ -336,14 +331,13 @@ bool Clashes::spread(const DualMesh& mesh, Index v) {
   const double size = normal.cwiseAbs().sum();
   const Vec3& apex = mesh.position[v];
   int rises = 0;
-  do {
-    const Vec3 a = mesh.position[mesh.vertex[next_in_triangle(half_edge)]] - apex;
-    const Vec3 b = mesh.position[mesh.vertex[previous_in_triangle(half_edge)]] - apex;
+  for (const HalfEdgeId h : mesh.ring(v)) {
+    const Vec3 a = mesh.position[mesh.end_vertex(h)] - apex;
+    const Vec3 b = mesh.position[mesh.vertex[previous_in_triangle(h)]] - apex;
     const double area = a.cross(b).dot(normal);
     if (!(area > kSure * size * (a.squaredNorm() + b.squaredNorm()))) return false;
     rises += across.dot(a) < 0 && across.dot(b) >= 0 ? 1 : 0;
-    half_edge = mesh.turn(half_edge);
-  } while (half_edge != first);
+  }
   if (rises == 1) spread_[v] = kYes;
   return rises == 1;
 }

@@ -21,17 +21,17 @@ class Rounds {
          DualMesh& mesh)
       : view_(view), steps_(steps), loops_(loops), mesh_(mesh) {
     details_.hits.assign(view.grid.hits.size(), Detail::kPlain);
-    details_.loops.assign(loops.first.size(), Detail::kPlain);
+    details_.loops.assign(loops.vertices(), Detail::kPlain);
     details_.margin = margin;
     details_.plain = &loops_;
-    find_beside(view.grid, loops_);
+    find_loops_of_leaves(view.grid, loops_);
   }
 
   Embedding run() {
     round_positions(loops_, 0);
     mesh_.position = loops_.position;
     steps_.make(details_, nullptr, mesh_);
-    round_positions(mesh_, loops_.first.size());
+    round_positions(mesh_, loops_.vertices());
     Clashes clashes(view_, loops_);
     clashes.find(mesh_);
     int round = 0;
@@ -89,7 +89,7 @@ class Rounds {
   void find_crowded(Index triangle, std::vector<Index>& crowded) const {
     for (Index h = 3 * triangle; h < 3 * triangle + 3; ++h) {
       const Index v = mesh_.vertex[h];
-      if (v < loops_.first.size() && loops_.beside[v] != v) crowded.push_back(v);
+      if (v < loops_.vertices() && loops_.next_loop_in_leaf[v] != v) crowded.push_back(v);
     }
   }
 
@@ -101,7 +101,7 @@ class Rounds {
       for_each_hit(loop, [&](Index hit) { raise(hit, Detail::kCentred); });
       details_.loops[loop] = Detail::kLayered;
       add_ring(loop);
-      loop = loops_.beside[loop];
+      loop = loops_.next_loop_in_leaf[loop];
     } while (loop != v);
   }
 
@@ -111,23 +111,19 @@ class Rounds {
 
   template <typename Visit>
   void for_each_hit(Index v, const Visit& visit) const {
-    Index half_edge = loops_.first[v];
-    do {
-      visit(half_edge / 3);
-      half_edge = loops_.turn(half_edge);
-    } while (half_edge != loops_.first[v] && half_edge != kNone);
+    for (const HalfEdgeId h : loops_.ring(v)) visit(h / 3);
   }
 
   // Returns the hits whose triangles may have changed.
   std::vector<Index> remake() {
-    mesh_.touched.clear();
-    const std::size_t vertices = mesh_.first.size();
+    mesh_.touched_hits.clear();
+    const std::size_t vertices = mesh_.vertices();
     Restored part = restore(loops_, around_, mesh_);
     steps_.make(details_, &part, mesh_);
     round_positions(mesh_, vertices);
     for (const Index v : part.loops) mesh_.position[v] = rounded(mesh_.position[v]);
     std::vector<Index> changed = std::move(part.hits);
-    changed.insert(changed.end(), mesh_.touched.begin(), mesh_.touched.end());
+    changed.insert(changed.end(), mesh_.touched_hits.begin(), mesh_.touched_hits.end());
     std::sort(changed.begin(), changed.end());
     changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
     return changed;

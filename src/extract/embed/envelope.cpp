@@ -19,10 +19,10 @@ Envelopes::Envelopes(const GridView& view, const DualMesh& loops)
     : view_(view),
       loops_(loops),
       first_loop_(view.grid.cells.size(), kNone),
-      next_loop_(loops.first.size(), kNone),
+      next_loop_(loops.vertices(), kNone),
       separated_(view.grid.cells.size(), 1),
       doubled_(view.grid.hits.size(), 0) {
-  for (Index v = 0; v < loops.first.size(); ++v) {
+  for (Index v = 0; v < loops.vertices(); ++v) {
     next_loop_[v] = first_loop_[loops.leaf[v]];
     first_loop_[loops.leaf[v]] = v;
   }
@@ -33,27 +33,22 @@ void Envelopes::find_doubled() {
   std::vector<Index> from(view_.grid.cells.size(),
                           kNone);  // the last loop with a link to this leaf
   const auto leaf_beyond = [&](Index half_edge) {
-    return loops_.leaf[loops_.vertex[next_in_triangle(half_edge)]];
+    return loops_.leaf[loops_.end_vertex(half_edge)];
   };
   const auto mark = [&](Index v, Index leaf) {
-    Index half_edge = loops_.first[v];
-    do {
-      if (leaf_beyond(half_edge) == leaf) {
-        doubled_[half_edge / 3] = 1;
-        const Index other = loops_.opposite[half_edge];
-        if (other != kNone) doubled_[other / 3] = 1;
-      }
-      half_edge = loops_.turn(half_edge);
-    } while (half_edge != loops_.first[v] && half_edge != kNone);
+    for (const HalfEdgeId h : loops_.ring(v)) {
+      if (leaf_beyond(h) != leaf) continue;
+      doubled_[h / 3] = 1;
+      const HalfEdgeId other = loops_.opposite[h];
+      if (other != kNone) doubled_[other / 3] = 1;
+    }
   };
-  for (Index v = 0; v < loops_.first.size(); ++v) {
-    Index half_edge = loops_.first[v];
-    do {
-      const Index leaf = leaf_beyond(half_edge);
+  for (Index v = 0; v < loops_.vertices(); ++v) {
+    for (const HalfEdgeId h : loops_.ring(v)) {
+      const CellId leaf = leaf_beyond(h);
       if (from[leaf] == v) mark(v, leaf);
       from[leaf] = v;
-      half_edge = loops_.turn(half_edge);
-    } while (half_edge != loops_.first[v] && half_edge != kNone);
+    }
   }
 }
 
@@ -143,7 +138,7 @@ bool Envelopes::rim_holds(const DualMesh& mesh, Index hit) const {
     for (int axis = 0; axis < 3; ++axis) {
       if (!(p[axis] > box.lo[axis] + kClear && p[axis] < box.hi[axis] - kClear)) return false;
     }
-    if (((mesh.through[hit] | loops_.strip[hit]) >> i & 1) == 0) return false;
+    if (((mesh.link_inside_face[hit] | loops_.strip[hit]) >> i & 1) == 0) return false;
   }
   return true;
 }

@@ -83,11 +83,7 @@ class Envelopes {
 
   template <typename Visit>
   void for_each_hit_of(Index loop, const Visit& visit) const {
-    Index half_edge = loops_.first[loop];
-    do {
-      visit(half_edge / 3);
-      half_edge = loops_.turn(half_edge);
-    } while (half_edge != loops_.first[loop] && half_edge != kNone);
+    for (const HalfEdgeId h : loops_.ring(loop)) visit(h / 3);
   }
 
   void find_doubled();

@@ -37,17 +37,13 @@ class Layers {
  private:
   // The loop's triangles (v, a, b), each b the next one's a.
   bool read_ring(Index v) {
-    std::vector<Index> fan;
-    Index half_edge = mesh_.first[v];
-    do {
-      fan.push_back(half_edge);
-      half_edge = mesh_.turn(half_edge);
-      if (half_edge == kNone) return false;
-    } while (half_edge != mesh_.first[v]);
+    if (mesh_.on_boundary(v)) return false;
+    std::vector<HalfEdgeId> fan;
+    for (const HalfEdgeId h : mesh_.ring(v)) fan.push_back(h);
     std::reverse(fan.begin(), fan.end());
     Curve curve;
     for (const Index h : fan) {
-      const Index a = mesh_.vertex[next_in_triangle(h)];
+      const Index a = mesh_.end_vertex(h);
       if (mesh_.leaf[a] != kNone) return false;
       curve.push_back(static_cast<Index>(ring_vertices_.size()));
       ring_vertices_.push_back(a);
@@ -74,7 +70,7 @@ class Layers {
       const Index h = fan[i];
       mesh_.mark_edited(mesh_.hit[h / 3]);
       mesh_.vertex[h] = from;
-      mesh_.first[from] = h;
+      mesh_.first_half_edge[from] = h;
       const Index b = mesh_.vertex[previous_in_triangle(h)];
       const Index beside = mesh_.add_triangle(mesh_.hit[h / 3], from, b, to);
       mesh_.link(beside, previous_in_triangle(h));
@@ -96,7 +92,7 @@ class Layers {
       for (Index& corner : corners) corner = inner(corner, scale);
       const Index first = mesh_.add_triangle(hit, corners[0], corners[1], corners[2]);
       for (Index i = 0; i < 3; ++i) {
-        mesh_.first[corners[i]] = first + i;
+        mesh_.first_half_edge[corners[i]] = first + i;
         open.push_back({{corners[i], corners[(i + 1) % 3]}, first + i});
       }
     }
@@ -111,10 +107,10 @@ class Layers {
   // The vertex for a point drawn inwards.
   Index inner(Index point, double scale) {
     if (inner_[point] == kNone) {
-      inner_[point] = static_cast<Index>(mesh_.first.size());
+      inner_[point] = mesh_.vertices();
       mesh_.position.push_back(drawn(point, scale));
       mesh_.leaf.push_back(kNone);
-      mesh_.first.push_back(kNone);
+      mesh_.first_half_edge.push_back(kNone);
     }
     return inner_[point];
   }

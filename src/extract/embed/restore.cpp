@@ -42,23 +42,22 @@ class Restoring {
       const Index other = loops_.opposite[half_edge];
       if (other != kNone && !(as_it_was(half_edge) && as_it_was(other))) include(other / 3);
       const Index v = loops_.vertex[half_edge];
-      if (!loops_.beside.empty() && loops_.beside[v] != v) include_ring(loops_.beside[v]);
+      if (!loops_.next_loop_in_leaf.empty() && loops_.next_loop_in_leaf[v] != v)
+        include_ring(loops_.next_loop_in_leaf[v]);
       if (!was_cut(v)) continue;
       found_.cut.push_back(v);
-      mesh_.cut[v] = 0;
+      mesh_.loop_was_split[v] = 0;
       include_ring(v);
     }
   }
 
   void include_ring(Index v) {
-    Index half_edge = loops_.first[v];
-    do {
-      include(half_edge / 3);
-      half_edge = loops_.turn(half_edge);
-    } while (half_edge != loops_.first[v] && half_edge != kNone);
+    for (const HalfEdgeId h : loops_.ring(v)) include(h / 3);
   }
 
-  bool was_cut(Index v) const { return v < mesh_.cut.size() && mesh_.cut[v] != 0; }
+  bool was_cut(Index v) const {
+    return v < mesh_.loop_was_split.size() && mesh_.loop_was_split[v] != 0;
+  }
 
   bool as_it_was(Index half_edge) const {
     const Index next = next_in_triangle(half_edge);
@@ -81,7 +80,7 @@ class Restoring {
   void drop_vertices(Index triangle) {
     for (Index half_edge = 3 * triangle; half_edge < 3 * triangle + 3; ++half_edge) {
       const Index v = mesh_.vertex[half_edge];
-      if (v >= loops_.first.size()) mesh_.first[v] = kNone;
+      if (v >= loops_.vertices()) mesh_.first_half_edge[v] = kNone;
     }
   }
 
@@ -100,7 +99,7 @@ class Restoring {
       const Index v = loops_.vertex[half_edge];
       found_.loops.push_back(v);
       mesh_.position[v] = loops_.position[v];
-      mesh_.set_first(v, half_edge);
+      mesh_.set_first_half_edge(v, half_edge);
     }
   }
 

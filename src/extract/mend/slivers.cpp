@@ -29,7 +29,7 @@ constexpr std::size_t kMostHits = 32;
 class Moving {
  public:
   Moving(const GridView& view, DualMesh& mesh)
-      : view_(view), mesh_(mesh), fixed_(mesh.first.size(), 0) {
+      : view_(view), mesh_(mesh), fixed_(mesh.vertices(), 0) {
     for (const auto& [vertex, point] : kept_corners(view.grid, mesh)) fixed_[vertex] = 1;
   }
 
@@ -95,18 +95,16 @@ class Moving {
 
   // The hits round the vertex; false if it must stay, on the boundary or at a corner.
   bool read_ring(Index v) {
-    if (fixed_[v] != 0) return false;
+    if (fixed_[v] != 0 || mesh_.on_boundary(v)) return false;
     ring_.clear();
     Vec3 sum = Vec3::Zero();
     Vec3 around = Vec3::Zero();
-    Index half_edge = mesh_.first[v];
-    do {
-      ring_.push_back(mesh_.hit[half_edge / 3]);
+    for (const HalfEdgeId h : mesh_.ring(v)) {
+      ring_.push_back(mesh_.hit[h / 3]);
+      if (ring_.size() > kMostHits) return false;
       sum += view_.hit_points[ring_.back()];
-      around += mesh_.position[mesh_.vertex[next_in_triangle(half_edge)]];
-      half_edge = mesh_.turn(half_edge);
-      if (half_edge == kNone || ring_.size() > kMostHits) return false;
-    } while (half_edge != mesh_.first[v]);
+      around += mesh_.position[mesh_.end_vertex(h)];
+    }
     of_hits_ = sum / static_cast<double>(ring_.size());
     const LatticeBox& box = view_.boxes[mesh_.leaf[v]];
     of_neighbours_ =
@@ -187,11 +185,7 @@ class AreaGiving {
   // To where fewer triangles round it are without area.
   bool move(Index v) {
     ring_.clear();
-    Index half_edge = mesh_.first[v];
-    do {
-      ring_.push_back(half_edge);
-      half_edge = mesh_.turn(half_edge);
-    } while (half_edge != mesh_.first[v] && half_edge != kNone);
+    for (const HalfEdgeId h : mesh_.ring(v)) ring_.push_back(h);
     if (ring_.size() > kMostHits) return false;
     const auto count = [this] {
       return std::count_if(ring_.begin(), ring_.end(),
@@ -201,7 +195,7 @@ class AreaGiving {
     const Vec3 before = mesh_.position[v];
     for (const double part : {1.0 / 64, 1.0 / 16, 1.0 / 4}) {
       for (const Index h : ring_) {
-        Vec3 way = part * (mesh_.position[mesh_.vertex[next_in_triangle(h)]] - before);
+        Vec3 way = part * (mesh_.position[mesh_.end_vertex(h)] - before);
         const double length = way.norm();
         if (length > 0.5 * view_.grid.tolerance) way *= 0.5 * view_.grid.tolerance / length;
         mesh_.position[v] = before + way;

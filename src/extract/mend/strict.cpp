@@ -15,7 +15,7 @@ class Separation {
   Separation(const GridView& view, DualMesh& mesh) : view_(view), mesh_(mesh) {}
 
   Index run(const std::vector<Index>* vertices) {
-    const auto loops = static_cast<Index>(mesh_.first.size());
+    const auto loops = mesh_.vertices();
     if (vertices != nullptr) {
       for (const Index v : *vertices) collect_doubles(v, 0);
     } else {
@@ -30,21 +30,18 @@ class Separation {
         insert_vertex(half_edge);
       }
     }
-    return static_cast<Index>(mesh_.first.size()) - loops;
+    return mesh_.vertices() - loops;
   }
 
  private:
   // Vertices from `least` on that several half-edges of v's ring go to.
   void collect_doubles(Index v, Index least) {
     ring_.clear();
-    const Index first = mesh_.first[v];
-    Index half_edge = first;
-    do {
-      const Index to = mesh_.vertex[next_in_triangle(half_edge)];
+    for (const HalfEdgeId h : mesh_.ring(v)) {
+      const VertexId to = mesh_.end_vertex(h);
       if (to >= least) ring_.push_back(to);
-      half_edge = mesh_.turn(half_edge);
-    } while (half_edge != first && half_edge != kNone);
-    if (half_edge == kNone && start_into(v) >= least) ring_.push_back(start_into(v));
+    }
+    if (mesh_.on_boundary(v) && start_into(v) >= least) ring_.push_back(start_into(v));
     constexpr std::size_t kShort = 12;
     if (ring_.size() <= kShort) {
       bool doubled = false;
@@ -61,15 +58,12 @@ class Separation {
 
   // Inserting a vertex moves half-edges about, so doubles are kept as pairs and looked up again.
   Index second_half_edge(Index from, Index to) const {
-    const Index first = mesh_.first[from];
-    Index half_edge = first;
     int found = 0;
-    do {
-      if (mesh_.vertex[next_in_triangle(half_edge)] == to && ++found == 2) return half_edge;
-      half_edge = mesh_.turn(half_edge);
-    } while (half_edge != first && half_edge != kNone);
-    const bool one_more = half_edge == kNone && start_into(from) == to && found == 1;
-    return one_more ? mesh_.boundary_into(from) : kNone;
+    for (const HalfEdgeId h : mesh_.ring(from)) {
+      if (mesh_.end_vertex(h) == to && ++found == 2) return h;
+    }
+    if (found == 0 || !mesh_.on_boundary(from) || start_into(from) != to) return kNone;
+    return mesh_.boundary_into(from);
   }
 
   // Where the boundary into v comes from; v is on it.
@@ -78,7 +72,7 @@ class Separation {
   void insert_vertex(Index ab) {
     mesh_.mark_edited(mesh_.hit[ab / 3]);
     if (mesh_.opposite[ab] == kNone) {
-      const Index b = mesh_.vertex[next_in_triangle(ab)];
+      const Index b = mesh_.end_vertex(ab);
       divide_boundary(ab, 0.5 * (mesh_.position[mesh_.vertex[ab]] + mesh_.position[b]), mesh_);
       return;
     }

@@ -176,25 +176,19 @@ class Unfolding {
 
   // A vertex loses an edge by a flip and must keep three, or two on the boundary.
   bool shorter_than_four(Index v) const {
-    if (mesh_.boundary_into(v) != kNone) return false;
-    const Index first = mesh_.first[v];
-    Index half_edge = first;
-    int count = 0;
-    do {
-      if (++count == 4) return false;
-      half_edge = next_in_triangle(mesh_.opposite[half_edge]);
-    } while (half_edge != first);
+    if (mesh_.on_boundary(v)) return false;
+    int edges = 0;
+    for ([[maybe_unused]] const HalfEdgeId h : mesh_.ring(v)) {
+      if (++edges == 4) return false;
+    }
     return true;
   }
 
   bool joined(Index v, Index w) const {
-    const Index first = mesh_.first[v];
-    Index half_edge = first;
-    do {
-      if (mesh_.vertex[next_in_triangle(half_edge)] == w) return true;
-      half_edge = mesh_.turn(half_edge);
-    } while (half_edge != first && half_edge != kNone);
-    return half_edge == kNone && mesh_.vertex[mesh_.boundary_into(v)] == w;
+    for (const HalfEdgeId h : mesh_.ring(v)) {
+      if (mesh_.end_vertex(h) == w) return true;
+    }
+    return mesh_.on_boundary(v) && mesh_.vertex[mesh_.boundary_into(v)] == w;
   }
 
   // (a, b, c) and (b, a, d) become (a, d, c) and (d, b, c).
@@ -218,10 +212,10 @@ class Unfolding {
     mesh_.vertex[ad] = b;
     mesh_.vertex[bc] = d;
     mesh_.vertex[db] = c;
-    mesh_.set_first(mesh_.vertex[ab], ab);
-    mesh_.set_first(b, ad);
-    mesh_.set_first(c, ca);
-    mesh_.set_first(d, ba);
+    mesh_.set_first_half_edge(mesh_.vertex[ab], ab);
+    mesh_.set_first_half_edge(b, ad);
+    mesh_.set_first_half_edge(c, ca);
+    mesh_.set_first_half_edge(d, ba);
     mesh_.strip[ab / 3] = mesh_.strip[ba / 3] = 0;
   }
 

@@ -47,14 +47,11 @@ class CornerNormals {
   void collect_fan(Index any) {
     fan_.clear();
     const Index v = mesh_.vertex[any];
-    chain_ = mesh_.boundary_into(v) != kNone;
-    const Index first = chain_ ? mesh_.first[v] : any;
-    Index half_edge = first;
-    do {
-      fan_.push_back(half_edge);
-      done_[half_edge] = 1;
-      half_edge = mesh_.turn(half_edge);
-    } while (half_edge != first && half_edge != kNone);
+    chain_ = mesh_.on_boundary(v);
+    for (const HalfEdgeId h : mesh_.ring_from(chain_ ? mesh_.first_half_edge[v] : any)) {
+      fan_.push_back(h);
+      done_[h] = 1;
+    }
   }
 
   void divide_fan() {

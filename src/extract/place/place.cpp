@@ -103,12 +103,10 @@ void find_rims(const GridData& grid, const DualMesh& mesh, Index vertex,
     if (const RimHit* rim = rim_at(grid, half_edge)) rims.push_back(rim);
   };
   add(mesh.boundary_into(vertex));
-  Index half_edge = mesh.first[vertex];
-  do {
-    add(half_edge);
-    add(mesh.opposite[half_edge]);
-    half_edge = mesh.turn(half_edge);
-  } while (half_edge != mesh.first[vertex] && half_edge != kNone);
+  for (const HalfEdgeId h : mesh.ring(vertex)) {
+    add(h);
+    add(mesh.opposite[h]);
+  }
 }
 
 // As far out as the surface goes: on the rim, between the points where it enters the leaf and
@@ -151,7 +149,7 @@ std::vector<std::pair<Index, Vec3>> kept_corners(const GridData& grid, const Dua
 std::vector<Index> place_vertices(const GridView& view, const SplitError& error,
                                   VertexPosition position, DualMesh& mesh) {
   const GridData& grid = view.grid;
-  const auto vertices = static_cast<Index>(mesh.first.size());
+  const auto vertices = mesh.vertices();
   mesh.position.reserve(vertices);
   std::vector<Index> off;
   std::vector<Index> hits;
@@ -160,12 +158,7 @@ std::vector<Index> place_vertices(const GridView& view, const SplitError& error,
   auto corner = corners.begin();
   for (Index vertex = 0; vertex < vertices; ++vertex) {
     hits.clear();
-    const Index first = mesh.first[vertex];
-    Index half_edge = first;
-    do {
-      hits.push_back(mesh.hit[half_edge / 3]);
-      half_edge = mesh.turn(half_edge);
-    } while (half_edge != first && half_edge != kNone);
+    for (const HalfEdgeId h : mesh.ring(vertex)) hits.push_back(mesh.hit[h / 3]);
     const LatticeBox& box = view.boxes[mesh.leaf[vertex]];
     find_rims(grid, mesh, vertex, rims);
     if (!rims.empty()) {
@@ -180,8 +173,7 @@ std::vector<Index> place_vertices(const GridView& view, const SplitError& error,
       continue;
     }
     mesh.position.push_back(point);
-    const bool on_boundary = half_edge == kNone;
-    if (!on_boundary && !meets_planes(grid, hits, point, error.distance) &&
+    if (!mesh.on_boundary(vertex) && !meets_planes(grid, hits, point, error.distance) &&
         !meets_planes(grid, hits, point, error_limit(error, view, hits, point))) {
       off.push_back(vertex);
     }

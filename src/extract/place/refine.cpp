@@ -37,7 +37,7 @@ class Refinement {
     for (const Index t : triangles_) division.triangle(t, view_.hit_points[t]);
     for (const std::vector<Crossing>* crossings : {&strips_, &links_}) {
       for (const Crossing& c : *crossings) {
-        mesh_.touched.insert(mesh_.touched.end(), {c.half_edge / 3, c.other / 3});
+        mesh_.touched_hits.insert(mesh_.touched_hits.end(), {c.half_edge / 3, c.other / 3});
         division.edge(c.half_edge, c.position);
       }
     }
@@ -96,8 +96,8 @@ class Refinement {
       links_.push_back({h, other, *vertex});
       through = within(*face, *vertex);
     }
-    mark_through(h, through);
-    mark_through(other, through);
+    mark_link(h, through);
+    mark_link(other, through);
   }
 
   // What the link needs, if anything.
@@ -122,39 +122,33 @@ class Refinement {
   // Of the loops on both sides of the link.
   void find_hits_beside(Index half_edge, Index opposite) {
     beside_.clear();
-    for (const Index first : {half_edge, opposite}) {
-      Index h = first;
-      do {
-        beside_.push_back(mesh_.hit[h / 3]);
-        h = mesh_.turn(h);
-      } while (h != first && h != kNone);
+    for (const HalfEdgeId first : {half_edge, opposite}) {
+      for (const HalfEdgeId h : mesh_.ring_from(first)) beside_.push_back(mesh_.hit[h / 3]);
     }
   }
 
   // All between the two leaves of the half-edge's link.
   static std::vector<HitPair> links_beside(const DualMesh& plain, Index link) {
-    const auto leaf_beyond = [&](Index h) { return plain.leaf[plain.vertex[next_in_triangle(h)]]; };
+    const auto leaf_beyond = [&](Index h) { return plain.leaf[plain.end_vertex(h)]; };
     std::vector<HitPair> links;
     const Index first = plain.vertex[link];
     Index v = first;
     do {
-      Index h = plain.first[v];
-      do {
-        const Index other = plain.opposite[h];
+      for (const HalfEdgeId h : plain.ring(v)) {
+        const HalfEdgeId other = plain.opposite[h];
         const bool strip = (plain.strip[h / 3] >> (h % 3) & 1) != 0;
         if (other != kNone && !strip && leaf_beyond(h) == leaf_beyond(link)) {
           links.push_back({h / 3, other / 3});
         }
-        h = plain.turn(h);
-      } while (h != plain.first[v] && h != kNone);
-      v = plain.beside[v];
+      }
+      v = plain.next_loop_in_leaf[v];
     } while (v != first);
     return links;
   }
 
-  void mark_through(Index half_edge, bool through) {
-    if (mesh_.through.empty()) return;
-    char& bits = mesh_.through[half_edge / 3];
+  void mark_link(Index half_edge, bool through) {
+    if (mesh_.link_inside_face.empty()) return;
+    char& bits = mesh_.link_inside_face[half_edge / 3];
     const int bit = 1 << half_edge % 3;
     bits = static_cast<char>(through ? bits | bit : bits & ~bit);
   }

@@ -35,13 +35,13 @@ class Splitting {
       : view_(view), error_(error), position_(position), mesh_(mesh), before_(mesh.triangles()) {}
 
   Index run(const std::vector<Index>& vertices) {
-    const auto loops = static_cast<Index>(mesh_.first.size());
+    const auto loops = mesh_.vertices();
     for (const Index v : vertices) {
       read_ring(v);
       limit_ = error_limit(error_, view_, polygons_, mesh_.position[v]);
       split(v);
     }
-    return static_cast<Index>(mesh_.first.size()) - loops;
+    return mesh_.vertices() - loops;
   }
 
  private:
@@ -73,16 +73,13 @@ class Splitting {
     ring_.clear();
     polygons_.clear();
     places_.clear();
-    const Index first = mesh_.first[v];
-    Index half_edge = first;
-    do {
-      if (!filling(half_edge / 3)) {
+    for (const HalfEdgeId h : mesh_.ring(v)) {
+      if (!filling(h / 3)) {
         places_.push_back(ring_.size());
-        polygons_.push_back(mesh_.hit[half_edge / 3]);
+        polygons_.push_back(mesh_.hit[h / 3]);
       }
-      ring_.push_back(half_edge);
-      half_edge = next_in_triangle(mesh_.opposite[half_edge]);
-    } while (half_edge != first);
+      ring_.push_back(h);
+    }
   }
 
   // Does one vertex serve the section? If so, its position is kept.
@@ -136,19 +133,19 @@ class Splitting {
       return false;
     }
     for (const Index hit : polygons_) mesh_.mark_edited(hit);
-    if (mesh_.cut.size() <= v) mesh_.cut.resize(v + 1, 0);
-    mesh_.cut[v] = 1;
-    const auto w = static_cast<Index>(mesh_.first.size());
+    if (mesh_.loop_was_split.size() <= v) mesh_.loop_was_split.resize(v + 1, 0);
+    mesh_.loop_was_split[v] = 1;
+    const auto w = mesh_.vertices();
     mesh_.position.push_back(section.position);
     mesh_.leaf.push_back(mesh_.leaf[v]);
     const Index first = next_in_triangle(mesh_.opposite[before]);
-    mesh_.first.push_back(first);
+    mesh_.first_half_edge.push_back(first);
     const Index remaining = next_in_triangle(mesh_.opposite[last]);
-    for (Index half_edge = first; half_edge != remaining;
-         half_edge = next_in_triangle(mesh_.opposite[half_edge])) {
-      mesh_.vertex[half_edge] = w;
+    for (const HalfEdgeId h : mesh_.ring_from(first)) {
+      if (h == remaining) break;
+      mesh_.vertex[h] = w;
     }
-    mesh_.first[v] = remaining;
+    mesh_.first_half_edge[v] = remaining;
     const Index beyond = mesh_.opposite[last];
     const Index behind = mesh_.opposite[before];
     const Index one = mesh_.add_triangle(mesh_.hit[last / 3], mesh_.vertex[beyond], w, v);
@@ -181,7 +178,7 @@ class Splitting {
     return !(normal.dot(wanted) > kLeastCosine * normal.norm());
   }
 
-  Index target(Index half_edge) const { return mesh_.vertex[next_in_triangle(half_edge)]; }
+  Index target(Index half_edge) const { return mesh_.end_vertex(half_edge); }
 
   GridView view_;
   SplitError error_;

@@ -37,15 +37,15 @@ struct Stage {
     }
     mesh = loops;
     details.hits.assign(grid.hits.size(), Detail::kPlain);
-    details.loops.assign(loops.first.size(), Detail::kPlain);
+    details.loops.assign(loops.vertices(), Detail::kPlain);
   }
 
   void make(const std::vector<Index>* hits = nullptr) {
-    const std::size_t vertices = mesh.first.size();
+    const std::size_t vertices = mesh.vertices();
     refine(view(), details, grid.tolerance, mesh, hits);
     std::vector<Index> present;
-    for (Index v = 0; v < mesh.first.size(); ++v) {
-      if (mesh.first[v] != kNone) present.push_back(v);
+    for (Index v = 0; v < mesh.vertices(); ++v) {
+      if (mesh.first_half_edge[v] != kNone) present.push_back(v);
     }
     separate_double_edges(view(), mesh, &present);
     unfold(view(), details, mesh);
@@ -145,10 +145,11 @@ TEST(Clashes, AreTheSameAfterChanges) {
           stage.details.hits[h] = Detail::kFull;
           hits.push_back(h);
         }
-        stage.mesh.touched.clear();
+        stage.mesh.touched_hits.clear();
         Restored part = restore(stage.loops, hits, stage.mesh);
         stage.make(&part.hits);
-        part.hits.insert(part.hits.end(), stage.mesh.touched.begin(), stage.mesh.touched.end());
+        part.hits.insert(part.hits.end(), stage.mesh.touched_hits.begin(),
+                         stage.mesh.touched_hits.end());
         clashes.find_again(stage.mesh, part.hits);
         ASSERT_EQ(clashes.pairs(), stage.crossings());
       }
@@ -175,8 +176,8 @@ TEST(Restore, TakesEverythingBack) {
       for (Index t = stage.loops.triangles(); t < stage.mesh.triangles(); ++t) {
         ASSERT_TRUE(stage.mesh.dropped(t));
       }
-      for (std::size_t v = stage.loops.first.size(); v < stage.mesh.first.size(); ++v) {
-        ASSERT_EQ(stage.mesh.first[v], kNone);
+      for (std::size_t v = stage.loops.vertices(); v < stage.mesh.vertices(); ++v) {
+        ASSERT_EQ(stage.mesh.first_half_edge[v], kNone);
       }
     }
   }

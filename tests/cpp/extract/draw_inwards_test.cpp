@@ -43,15 +43,15 @@ struct Cones {
   Index add_vertex(const Vec3& position, Index leaf) {
     mesh.position.push_back(position);
     mesh.leaf.push_back(leaf);
-    mesh.first.push_back(kNone);
-    return static_cast<Index>(mesh.first.size() - 1);
+    mesh.first_half_edge.push_back(kNone);
+    return static_cast<Index>(mesh.vertices() - 1);
   }
 
   Index add_triangle(Index a, Index b, Index c) {
     const Index first = mesh.add_triangle(mesh.triangles(), a, b, c);
     const std::array<Index, 3> corners = {a, b, c};
     for (Index i = 0; i < 3; ++i) {
-      mesh.first[corners[i]] = first + i;
+      mesh.first_half_edge[corners[i]] = first + i;
       half_edges_[{corners[i], corners[(i + 1) % 3]}] = first + i;
     }
     return first / 3;

@@ -55,7 +55,7 @@ TEST(Edit, ManyDivisionsAreNamedAsBeforeTheFirst) {
   for (Index t = 0; t < 4; ++t) division.triangle(t, Vec3(t, 0, 0));
   std::vector<Index> middles(12, kNone);
   for (Index h = 0; h < 12; ++h) {
-    const Index other = static_cast<Index>(mesh.first.size());
+    const Index other = mesh.vertices();
     if (middles[h] != kNone) continue;
     const Index back = tetrahedron().opposite[h];
     division.edge(h, Vec3(0, h, back));

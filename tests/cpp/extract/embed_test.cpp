@@ -82,8 +82,9 @@ TEST(Embed, SeveralLoopsInALeaf) {
       EXPECT_EQ(shape.euler_characteristic, plain.euler_characteristic);
       DualMesh dual = dual_mesh_of(grid.data());
       find_loops(grid.data(), dual);
-      find_beside(grid.data(), dual);
-      for (Index v = 0; v < dual.beside.size(); ++v) crowded += dual.beside[v] != v ? 1 : 0;
+      find_loops_of_leaves(grid.data(), dual);
+      for (Index v = 0; v < dual.next_loop_in_leaf.size(); ++v)
+        crowded += dual.next_loop_in_leaf[v] != v ? 1 : 0;
     }
   }
   EXPECT_GT(crowded, 100u);
@@ -139,7 +140,7 @@ TEST(Embed, FullDetailKeepsEachTriangleInItsLeaf) {
     place_vertices(view, {}, VertexPosition::kConstrained, dual);
     Details details;
     details.hits.assign(grid.hits.size(), Detail::kApart);
-    details.loops.assign(dual.first.size(), Detail::kApart);
+    details.loops.assign(dual.vertices(), Detail::kApart);
     refine(view, details, 1e9, dual);
     check::expect_sound(dual);
     for (Index t = 0; t < dual.triangles(); ++t) {

@@ -101,22 +101,22 @@ TEST(Pillows, EachIsCountedAndNothingElseGoes) {
   EXPECT_EQ(kept_triangles(mesh), 4u);
   for (Index t = 2; t < 6; ++t) EXPECT_FALSE(mesh.dropped(t));
   find_loops(GridData(), mesh);
-  EXPECT_EQ(mesh.first.size(), 4u) << "dropped triangles have no vertices";
+  EXPECT_EQ(mesh.vertices(), 4u) << "dropped triangles have no vertices";
 }
 
 // --- Loops ---------------------------------------------------------------------------------------
 
 // Every half-edge belongs to the loop of its corner, and each loop is one ring.
 void expect_loops(const DualMesh& mesh) {
-  ASSERT_EQ(mesh.first.size(), mesh.leaf.size());
+  ASSERT_EQ(mesh.vertices(), mesh.leaf.size());
   std::vector<int> seen(mesh.vertex.size(), 0);
-  for (Index v = 0; v < mesh.first.size(); ++v) {
-    Index half_edge = mesh.first[v];
+  for (Index v = 0; v < mesh.vertices(); ++v) {
+    Index half_edge = mesh.first_half_edge[v];
     do {
       ASSERT_EQ(mesh.vertex[half_edge], v);
       ++seen[half_edge];
       half_edge = next_in_triangle(mesh.opposite[half_edge]);
-    } while (half_edge != mesh.first[v]);
+    } while (half_edge != mesh.first_half_edge[v]);
   }
   for (Index h = 0; h < seen.size(); ++h) {
     ASSERT_EQ(seen[h], mesh.dropped(h / 3) ? 0 : 1) << "half-edge " << h;
@@ -126,7 +126,7 @@ void expect_loops(const DualMesh& mesh) {
 TEST(Loops, ATetrahedronHasFour) {
   DualMesh mesh = dual_mesh(kTetrahedron);
   find_loops(GridData(), mesh);
-  EXPECT_EQ(mesh.first.size(), 4u);
+  EXPECT_EQ(mesh.vertices(), 4u);
   expect_loops(mesh);
   // One triangle's corners in the order in which they came.
   EXPECT_EQ(mesh.leaf, (std::vector<Index>{0, 1, 2, 3}));
@@ -144,7 +144,7 @@ TEST(Loops, LeavesWithSeveralPiecesGiveSeveralVertices) {
   }
   DualMesh mesh = dual_mesh(twice, links);
   find_loops(GridData(), mesh);
-  EXPECT_EQ(mesh.first.size(), 8u);
+  EXPECT_EQ(mesh.vertices(), 8u);
   expect_loops(mesh);
   std::vector<Index> leaves = mesh.leaf;
   std::sort(leaves.begin(), leaves.end());
@@ -155,14 +155,14 @@ TEST(Loops, ClosedSurfacesHaveTheRightNumber) {
   for (Index disks = 2; disks < 6; ++disks) {
     DualMesh mesh = shapes::beach_ball(disks);
     find_loops(GridData(), mesh);
-    EXPECT_EQ(mesh.first.size(), disks + 2);
+    EXPECT_EQ(mesh.vertices(), disks + 2);
     expect_loops(mesh);
   }
   for (Index n = 3; n < 12; ++n) {
     if ((2 % n) == 0 || (3 % n) == 0) continue;
     DualMesh mesh = shapes::tight_torus(n, 1, 2);
     find_loops(GridData(), mesh);
-    EXPECT_EQ(mesh.first.size(), n);
+    EXPECT_EQ(mesh.vertices(), n);
     expect_loops(mesh);
   }
 }
@@ -194,7 +194,7 @@ TEST(Loops, OfAGridStayInTheirLeaves) {
     ASSERT_EQ(mesh.leaf[mesh.vertex[h]], leaf_of_half_edge[h]);
     leaves.insert(leaf_of_half_edge[h]);
   }
-  EXPECT_GT(mesh.first.size(), leaves.size()) << "both sides of the wall share leaves";
+  EXPECT_GT(mesh.vertices(), leaves.size()) << "both sides of the wall share leaves";
 }
 
 // A tetrahedron near the origin, which two far boxes put in the middle of the root cell.

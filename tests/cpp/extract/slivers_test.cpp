@@ -55,11 +55,7 @@ struct Placed {
 
   std::vector<Index> ring(Index v) const {
     std::vector<Index> hits;
-    Index half_edge = mesh.first[v];
-    do {
-      hits.push_back(half_edge / 3);
-      half_edge = mesh.turn(half_edge);
-    } while (half_edge != mesh.first[v]);
+    for (const HalfEdgeId h : mesh.ring(v)) hits.push_back(h / 3);
     return hits;
   }
 

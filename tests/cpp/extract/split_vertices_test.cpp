@@ -69,14 +69,14 @@ TEST(SplitVertices, EveryRingOfUpToSixPolygonsStaysASphere) {
     std::vector<int> ring(n, 0);
     for (;;) {
       Fan fan(ring);
-      const auto loops = static_cast<Index>(fan.mesh.first.size());
+      const auto loops = fan.mesh.vertices();
       const Index triangles = fan.mesh.triangles();
       const Index added =
           split_vertices(fan.view(), kError, VertexPosition::kConstrained, fan.off, fan.mesh);
-      ASSERT_EQ(fan.mesh.first.size(), loops + added);
+      ASSERT_EQ(fan.mesh.vertices(), loops + added);
       ASSERT_EQ(fan.mesh.triangles(), triangles + 2 * added);
-      ASSERT_EQ(fan.mesh.position.size(), fan.mesh.first.size());
-      ASSERT_EQ(fan.mesh.leaf.size(), fan.mesh.first.size());
+      ASSERT_EQ(fan.mesh.position.size(), fan.mesh.vertices());
+      ASSERT_EQ(fan.mesh.leaf.size(), fan.mesh.vertices());
       check::expect_sound(fan.mesh);
       separate_double_edges(fan.view(), fan.mesh);
       const check::MeshCheck result = check::check_mesh(shapes::index_mesh(fan.mesh));

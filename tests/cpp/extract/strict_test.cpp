@@ -24,7 +24,7 @@ const GridData kNoGrid;
 // Loops, arbitrary positions, and one point a hit.
 std::vector<Vec3> prepare(DualMesh& mesh) {
   find_loops(kNoGrid, mesh);
-  for (Index v = 0; v < mesh.first.size(); ++v) {
+  for (Index v = 0; v < mesh.vertices(); ++v) {
     mesh.position.emplace_back(v, v * v % 7, v * v * v % 11);
   }
   std::vector<Vec3> hit_points;
@@ -52,7 +52,7 @@ TEST(Strict, ADoubleEdgeGetsOneVertex) {
   const check::MeshCheck result = check::check_mesh(shapes::index_mesh(mesh));
   EXPECT_TRUE(result.two_manifold) << result.faults();
   EXPECT_EQ(result.euler_characteristic, 2);
-  EXPECT_EQ(mesh.first.size(), 5u);
+  EXPECT_EQ(mesh.vertices(), 5u);
   EXPECT_EQ(mesh.triangles(), 6u);
   // The new vertex lies between the hits of the two triangles that were divided, and belongs to no
   // leaf; the new triangles are of the same hits.
@@ -113,11 +113,11 @@ TEST(Strict, EveryTightTorusBecomesManifold) {
         SCOPED_TRACE(testing::Message() << n << ' ' << p << ' ' << q);
         DualMesh mesh = shapes::tight_torus(n, p, q);
         const std::vector<Vec3> points = prepare(mesh);
-        ASSERT_EQ(mesh.first.size(), n);
+        ASSERT_EQ(mesh.vertices(), n);
         const Index surplus = surplus_edges(mesh);
         const Index inserted = separate_double_edges({kNoGrid, {}, points}, mesh);
         EXPECT_GE(inserted, surplus);
-        EXPECT_EQ(mesh.first.size(), n + inserted);
+        EXPECT_EQ(mesh.vertices(), n + inserted);
         EXPECT_EQ(mesh.triangles(), 2 * n + 2 * inserted);
         check::expect_sound(mesh);
         const check::MeshCheck result = check::check_mesh(shapes::index_mesh(mesh));

@@ -15,17 +15,17 @@ namespace kdm::check {
 inline void expect_sound(const DualMesh& mesh) {
   ASSERT_EQ(mesh.vertex.size(), 3u * mesh.triangles());
   ASSERT_EQ(mesh.opposite.size(), mesh.vertex.size());
-  ASSERT_EQ(mesh.position.size(), mesh.first.size());
-  ASSERT_EQ(mesh.leaf.size(), mesh.first.size());
+  ASSERT_EQ(mesh.position.size(), mesh.vertices());
+  ASSERT_EQ(mesh.leaf.size(), mesh.vertices());
   std::size_t ring_sum = 0;
-  for (Index v = 0; v < mesh.first.size(); ++v) {
-    if (mesh.first[v] == kNone) continue;
-    Index half_edge = mesh.first[v];
+  for (Index v = 0; v < mesh.vertices(); ++v) {
+    if (mesh.first_half_edge[v] == kNone) continue;
+    Index half_edge = mesh.first_half_edge[v];
     do {
       ASSERT_EQ(mesh.vertex[half_edge], v);
       ++ring_sum;
-      half_edge = mesh.turn(half_edge);
-    } while (half_edge != mesh.first[v] && half_edge != kNone);
+      half_edge = mesh.next_in_ring(half_edge);
+    } while (half_edge != mesh.first_half_edge[v] && half_edge != kNone);
     if (half_edge != kNone) continue;
     ASSERT_TRUE(mesh.open);
     ASSERT_NE(mesh.boundary_into(v), kNone) << "a chain starts at the boundary";
