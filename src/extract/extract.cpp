@@ -14,8 +14,8 @@
 #include "extract/embed/layers.h"
 #include "extract/emit.h"
 #include "extract/keep_parts.h"
+#include "extract/mend/double_edges.h"
 #include "extract/mend/slivers.h"
-#include "extract/mend/strict.h"
 #include "extract/mend/unfold.h"
 #include "extract/place/normals.h"
 #include "extract/place/place.h"
@@ -145,9 +145,9 @@ class Meshing {
     }
     DualMesh mesh = loops_;
     EmbedSteps steps;
-    steps.move = [this](DualMesh& loops, Index v, Detail detail) { move(loops, v, detail); };
-    steps.make = [this](const Details& details, const Restored* part, DualMesh& made) {
-      make(details, part, made);
+    steps.move = [this](DualMesh& loops, Index v, EmbedLevel level) { move(loops, v, level); };
+    steps.make = [this](const EmbedLevels& levels, const Restored* part, DualMesh& made) {
+      make(levels, part, made);
     };
     steps.report = [&progress](int round) { report(progress, 0.9 - 0.2 / (1 + round), "faces"); };
     const Embedding embedding = embed(view(), kSlightly * grid_.tolerance, steps, loops_, mesh);
@@ -156,10 +156,10 @@ class Meshing {
     return mesh;
   }
 
-  void move(DualMesh& loops, Index v, Detail detail) const {
-    if (detail < Detail::kInside) return;
+  void move(DualMesh& loops, Index v, EmbedLevel level) const {
+    if (level < EmbedLevel::kOffSides) return;
     const LatticeBox& box = boxes_[loops.leaf[v]];
-    if (detail < Detail::kCentred) {
+    if (level < EmbedLevel::kCentred) {
       loops.position[v] = inside(box, grid_.tolerance, loops.position[v]);
       return;
     }
@@ -168,25 +168,25 @@ class Meshing {
     loops.position[v] = inside(box, std::min(grid_.tolerance, radius / 4), position);
   }
 
-  void make(const Details& details, const Restored* part, DualMesh& mesh) {
+  void make(const EmbedLevels& levels, const Restored* part, DualMesh& mesh) {
     const Index triangles = mesh.triangles();
     const auto vertices = mesh.vertices();
     std::vector<Index> off;
     const std::vector<Index>& candidates = part == nullptr ? off_ : part->cut;
     std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(off),
-                 [&](Index v) { return details.of_loop(v) == Detail::kPlain; });
+                 [&](Index v) { return levels.of_loop(v) == EmbedLevel::kTriangle; });
     splits_.note(mesh, [&] { split_vertices(view(), error_, options_.position, off, mesh); });
     if (!options_.quads) {
       links_.note(mesh, [&] {
-        refine(view(), details, link_error_, mesh, part == nullptr ? nullptr : &part->hits);
+        refine(view(), levels, link_error_, mesh, part == nullptr ? nullptr : &part->hits);
       });
     }
-    if (part != nullptr) links_.note(mesh, [&] { draw_inwards(details, part->loops, mesh); });
+    if (part != nullptr) links_.note(mesh, [&] { draw_inwards(levels, part->loops, mesh); });
     if (part == nullptr) {
       if (options_.strict != Strict::kOff) {
         doubles_.note(mesh, [&] { separate_double_edges(view(), mesh); });
       }
-      if (options_.unfold && !options_.quads) flips_ += unfold(view(), details, mesh);
+      if (options_.unfold && !options_.quads) flips_ += unfold(view(), levels, mesh);
       return;
     }
     const auto with_new = [](std::vector<Index> numbers, Index first, std::size_t end) {
@@ -199,13 +199,14 @@ class Meshing {
     std::vector<Index> changed = part->hits;
     changed.insert(changed.end(), mesh.touched_hits.begin(), mesh.touched_hits.end());
     const std::vector<Index> folds = with_new(std::move(changed), triangles, mesh.triangles());
-    flips_ += unfold(view(), details, mesh, &folds);
+    flips_ += unfold(view(), levels, mesh, &folds);
   }
 
-  void draw_inwards(const Details& details, const std::vector<Index>& loops, DualMesh& mesh) const {
+  void draw_inwards(const EmbedLevels& levels, const std::vector<Index>& loops,
+                    DualMesh& mesh) const {
     std::vector<std::pair<Index, Index>> layered;  // leaf and loop
     for (const Index v : loops) {
-      if (details.of_loop(v) == Detail::kLayered) layered.emplace_back(mesh.leaf[v], v);
+      if (levels.of_loop(v) == EmbedLevel::kNested) layered.emplace_back(mesh.leaf[v], v);
     }
     std::sort(layered.begin(), layered.end());
     std::vector<Index> together;

@@ -5,7 +5,8 @@
 // leaf, and each triangle (hit, link, loop) lies in one leaf: the surface in a leaf is the fan of
 // an inner point over a closed curve on the leaf's sides. The idea goes back to T. Ju and T.
 // Udeshi, Intersection-free contouring on an octree grid, 2006. That takes six triangles a hit, so
-// it is done only where the plain mesh fails; each round adds detail, and full detail bounds them.
+// it is done only where the plain mesh fails; each round raises the levels of some hits, and the
+// highest level bounds them.
 #include "extract/embed/embed.h"
 
 #include <algorithm>
@@ -20,17 +21,17 @@ class Rounds {
   Rounds(const GridView& view, double margin, const EmbedSteps& steps, DualMesh& loops,
          DualMesh& mesh)
       : view_(view), steps_(steps), loops_(loops), mesh_(mesh) {
-    details_.hits.assign(view.grid.hits.size(), Detail::kPlain);
-    details_.loops.assign(loops.vertices(), Detail::kPlain);
-    details_.margin = margin;
-    details_.plain = &loops_;
+    levels_.hits.assign(view.grid.hits.size(), EmbedLevel::kTriangle);
+    levels_.loops.assign(loops.vertices(), EmbedLevel::kTriangle);
+    levels_.margin = margin;
+    levels_.plain = &loops_;
     find_loops_of_leaves(view.grid, loops_);
   }
 
   Embedding run() {
     round_positions(loops_, 0);
     mesh_.position = loops_.position;
-    steps_.make(details_, nullptr, mesh_);
+    steps_.make(levels_, nullptr, mesh_);
     round_positions(mesh_, loops_.vertices());
     Clashes clashes(view_, loops_);
     clashes.find(mesh_);
@@ -43,20 +44,20 @@ class Rounds {
     }
     Embedding result;
     result.crossings = clashes.pairs();
-    result.refined_hits =
-        static_cast<Index>(std::count_if(details_.hits.begin(), details_.hits.end(),
-                                         [](Detail detail) { return detail != Detail::kPlain; }));
+    result.refined_hits = static_cast<Index>(
+        std::count_if(levels_.hits.begin(), levels_.hits.end(),
+                      [](EmbedLevel level) { return level != EmbedLevel::kTriangle; }));
     return result;
   }
 
  private:
-  // Adds detail to the hits of these triangles and to their loops; false if there is none to add.
+  // Raises the hits of these triangles and their loops by a level; false if all have the highest.
   bool add(const std::vector<Index>& triangles) {
     around_.clear();
     std::vector<Index> hits;
     std::vector<Index> crowded;
     for (const Index t : triangles) {
-      if (details_.hits[mesh_.hit[t]] < Detail::kCentred) {
+      if (levels_.hits[mesh_.hit[t]] < EmbedLevel::kCentred) {
         hits.push_back(mesh_.hit[t]);
       } else {
         find_crowded(t, crowded);
@@ -64,22 +65,22 @@ class Rounds {
     }
     std::sort(hits.begin(), hits.end());
     hits.erase(std::unique(hits.begin(), hits.end()), hits.end());
-    for (const Index hit : hits) raise(hit, more(details_.hits[hit]));
+    for (const Index hit : hits) raise(hit, next_level(levels_.hits[hit]));
     for (const Index v : crowded) draw_inwards(v);
     return !around_.empty();
   }
 
-  // Gives the hit and its loops at least this detail.
-  void raise(Index hit, Detail detail) {
-    if (details_.hits[hit] < detail) {
-      details_.hits[hit] = detail;
+  // Raises the hit and its loops to this level at least.
+  void raise(Index hit, EmbedLevel level) {
+    if (levels_.hits[hit] < level) {
+      levels_.hits[hit] = level;
       around_.push_back(hit);
     }
     for (int i = 0; i < 3; ++i) {
       const Index v = loops_.vertex[3 * hit + i];
-      if (details_.loops[v] >= detail) continue;
-      details_.loops[v] = detail;
-      steps_.move(loops_, v, detail);
+      if (levels_.loops[v] >= level) continue;
+      levels_.loops[v] = level;
+      steps_.move(loops_, v, level);
       loops_.position[v] = rounded(loops_.position[v]);
       add_ring(v);
     }
@@ -95,11 +96,11 @@ class Rounds {
 
   // Has this loop and the others of its leaf drawn inwards.
   void draw_inwards(Index v) {
-    if (details_.loops[v] == Detail::kLayered) return;
+    if (levels_.loops[v] == EmbedLevel::kNested) return;
     Index loop = v;
     do {
-      for_each_hit(loop, [&](Index hit) { raise(hit, Detail::kCentred); });
-      details_.loops[loop] = Detail::kLayered;
+      for_each_hit(loop, [&](Index hit) { raise(hit, EmbedLevel::kCentred); });
+      levels_.loops[loop] = EmbedLevel::kNested;
       add_ring(loop);
       loop = loops_.next_loop_in_leaf[loop];
     } while (loop != v);
@@ -119,7 +120,7 @@ class Rounds {
     mesh_.touched_hits.clear();
     const std::size_t vertices = mesh_.vertices();
     Restored part = restore(loops_, around_, mesh_);
-    steps_.make(details_, &part, mesh_);
+    steps_.make(levels_, &part, mesh_);
     round_positions(mesh_, vertices);
     for (const Index v : part.loops) mesh_.position[v] = rounded(mesh_.position[v]);
     std::vector<Index> changed = std::move(part.hits);
@@ -139,15 +140,16 @@ class Rounds {
     return view_.grid.lattice.to_lattice(single_precision(view_.grid.lattice, position));
   }
 
-  static Detail more(Detail detail) {
-    return detail == Detail::kCentred ? detail : static_cast<Detail>(static_cast<int>(detail) + 1);
+  static EmbedLevel next_level(EmbedLevel level) {
+    return level == EmbedLevel::kCentred ? level
+                                         : static_cast<EmbedLevel>(static_cast<int>(level) + 1);
   }
 
   GridView view_;
   const EmbedSteps& steps_;
   DualMesh& loops_;
   DualMesh& mesh_;
-  Details details_;
+  EmbedLevels levels_;
   std::vector<Index> around_;  // hits to be made again
 };
 

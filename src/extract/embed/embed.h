@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "extract/dual/detail.h"
+#include "extract/dual/embed_level.h"
 #include "extract/dual/grid_view.h"
 #include "extract/embed/restore.h"
 
@@ -18,16 +18,16 @@ struct Embedding {
 
 /// How `embed` has the mesh changed.
 struct EmbedSteps {
-  /// Moves a loop's vertex as this detail asks for, in `loops`.
-  std::function<void(DualMesh& loops, Index loop, Detail detail)> move;
-  /// Does to the part, in which the mesh is as the loops are, what the details ask for. Without a
+  /// Moves a loop's vertex as this level asks for, in `loops`.
+  std::function<void(DualMesh& loops, Index loop, EmbedLevel level)> move;
+  /// Does to the part, in which the mesh is as the loops are, what the levels ask for. Without a
   /// part: to all.
-  std::function<void(const Details& details, const Restored* part, DualMesh& mesh)> make;
+  std::function<void(const EmbedLevels& levels, const Restored* part, DualMesh& mesh)> make;
   /// Called before every round.
   std::function<void(int round)> report;
 };
 
-/// Makes the mesh, and parts of it again and again with more detail, wherever its triangles cross,
+/// Makes the mesh, and parts of it again and again at higher levels, wherever its triangles cross,
 /// touch or have no area, until none do or there is nothing left to add. `loops` is the mesh with
 /// its loops found, `mesh` a copy. All coordinates are rounded to what 32 bits in model units hold.
 Embedding embed(const GridView& view, double margin, const EmbedSteps& steps, DualMesh& loops,

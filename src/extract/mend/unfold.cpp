@@ -22,11 +22,11 @@ constexpr int kMaxFlips = 4;  // of one triangle
 
 class Unfolding {
  public:
-  Unfolding(const GridView& view, const Details& details, DualMesh& mesh)
+  Unfolding(const GridView& view, const EmbedLevels& levels, DualMesh& mesh)
       : view_(view), mesh_(mesh), flips_(mesh.triangles(), 0) {
-    if (details.hits.empty()) return;
+    if (levels.hits.empty()) return;
     for (Index t = 0; t < mesh.triangles(); ++t) {
-      if (details.of_hit(mesh.hit[t]) != Detail::kPlain) flips_[t] = kMaxFlips;
+      if (levels.of_hit(mesh.hit[t]) != EmbedLevel::kTriangle) flips_[t] = kMaxFlips;
     }
   }
 
@@ -227,9 +227,9 @@ class Unfolding {
 
 }  // namespace
 
-Index unfold(const GridView& view, const Details& details, DualMesh& mesh,
+Index unfold(const GridView& view, const EmbedLevels& levels, DualMesh& mesh,
              const std::vector<Index>* triangles) {
-  return Unfolding(view, details, mesh).run(triangles);
+  return Unfolding(view, levels, mesh).run(triangles);
 }
 
 }  // namespace kdm

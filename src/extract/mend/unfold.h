@@ -2,7 +2,7 @@
 // Triangles that are folded over their neighbours, or thin.
 #pragma once
 
-#include "extract/dual/detail.h"
+#include "extract/dual/embed_level.h"
 #include "extract/dual/grid_view.h"
 
 namespace kdm {
@@ -11,9 +11,9 @@ namespace kdm {
 /// where the two triangles then lie better: leaves of different size beside a concave crease leave
 /// such folds, which reach beyond the surface. The same where the smallest angle of thin triangles
 /// becomes twice as wide, as of three vertices in a row along a crease. No edge is doubled by it,
-/// so an index mesh that is 2-manifold stays so. Triangles of hits with details are left alone.
-/// Returns the number of flips. Looks among all triangles or among `triangles`.
-Index unfold(const GridView& view, const Details& details, DualMesh& mesh,
+/// so an index mesh that is 2-manifold stays so. Triangles of hits above level `kTriangle` are left
+/// alone. Returns the number of flips. Looks among all triangles or among `triangles`.
+Index unfold(const GridView& view, const EmbedLevels& levels, DualMesh& mesh,
              const std::vector<Index>* triangles = nullptr);
 
 }  // namespace kdm

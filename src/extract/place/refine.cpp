@@ -15,8 +15,8 @@ namespace {
 
 class Refinement {
  public:
-  Refinement(const GridView& view, const Details& details, double distance, DualMesh& mesh)
-      : view_(view), details_(details), distance_(distance), mesh_(mesh) {}
+  Refinement(const GridView& view, const EmbedLevels& levels, double distance, DualMesh& mesh)
+      : view_(view), levels_(levels), distance_(distance), mesh_(mesh) {}
 
   // All is found before anything is divided, so half-edge h is still that of hit h / 3.
   void find(const std::vector<Index>* hits) {
@@ -65,17 +65,17 @@ class Refinement {
       if (other >= half_edges || (other < h && included(other / 3))) continue;
       if ((mesh_.strip[t] >> (h % 3) & 1) != 0) {
         // Two hits at one point: one vertex, on the edge between their triangles.
-        if (level(t, other / 3) != Detail::kPlain)
+        if (level_of_link(t, other / 3) != EmbedLevel::kTriangle)
           strips_.push_back({h, other, view_.hit_points[t]});
       } else {
         look_at_link(h, other);
       }
     }
-    if (mesh_.strip[t] == 0 && details_.of_hit(t) != Detail::kPlain) triangles_.push_back(t);
+    if (mesh_.strip[t] == 0 && levels_.of_hit(t) != EmbedLevel::kTriangle) triangles_.push_back(t);
   }
 
-  Detail level(Index hit, Index other) const {
-    return std::max(details_.of_hit(hit), details_.of_hit(other));
+  EmbedLevel level_of_link(Index hit, Index other) const {
+    return std::max(levels_.of_hit(hit), levels_.of_hit(other));
   }
 
   void look_at_link(Index h, Index other) {
@@ -86,13 +86,13 @@ class Refinement {
     if (!face) return;
     const Vec3& p = mesh_.position[a];
     const Vec3& q = mesh_.position[b];
-    const Detail detail = level(h / 3, other / 3);
+    const EmbedLevel level = level_of_link(h / 3, other / 3);
     const Vec3 crossing = crossing_point(*face, p, q);
-    std::optional<Vec3> vertex = vertex_on(*face, detail, h, other, crossing);
+    std::optional<Vec3> vertex = vertex_on(*face, level, h, other, crossing);
     bool through = within(*face, crossing) && !nearly_parallel(q - p, face->axis);
     if (vertex) {
       // Arcs over one edge must stay nested.
-      if (detail < Detail::kApart) *vertex = off_sides(*face, *vertex, details_.margin);
+      if (level < EmbedLevel::kLinksApart) *vertex = off_sides(*face, *vertex, levels_.margin);
       links_.push_back({h, other, *vertex});
       through = within(*face, *vertex);
     }
@@ -101,18 +101,19 @@ class Refinement {
   }
 
   // What the link needs, if anything.
-  std::optional<Vec3> vertex_on(const LinkFace& face, Detail detail, Index half_edge,
+  std::optional<Vec3> vertex_on(const LinkFace& face, EmbedLevel level, Index half_edge,
                                 Index opposite, const Vec3& crossing) {
     const Index hit = half_edge / 3;
     const Index other = opposite / 3;
-    if (detail == Detail::kPlain && meets_planes(face, hit, other, crossing)) return std::nullopt;
-    if (detail >= Detail::kApart) {
+    if (level == EmbedLevel::kTriangle && meets_planes(face, hit, other, crossing))
+      return std::nullopt;
+    if (level >= EmbedLevel::kLinksApart) {
       std::vector<HitPair> links;
-      if (details_.plain != nullptr) links = links_beside(*details_.plain, half_edge);
+      if (levels_.plain != nullptr) links = links_beside(*levels_.plain, half_edge);
       return chord_point(view_, face, {hit, other}, links);
     }
     const Vec3 corner = crease_point(view_, face, {hit, other}, {}, distance_);
-    const bool wanted = detail == Detail::kFull || detail == Detail::kInside ||
+    const bool wanted = level == EmbedLevel::kHitVertices || level == EmbedLevel::kOffSides ||
                         misses(hit, corner, other, crossing);
     if (!wanted) return std::nullopt;
     find_hits_beside(half_edge, opposite);
@@ -178,7 +179,7 @@ class Refinement {
   }
 
   GridView view_;
-  const Details& details_;
+  const EmbedLevels& levels_;
   double distance_;
   DualMesh& mesh_;
   std::vector<Index> triangles_;  // of hits that become vertices
@@ -189,9 +190,9 @@ class Refinement {
 
 }  // namespace
 
-Index refine(const GridView& view, const Details& details, double distance, DualMesh& mesh,
+Index refine(const GridView& view, const EmbedLevels& levels, double distance, DualMesh& mesh,
              const std::vector<Index>* hits) {
-  Refinement refinement(view, details, distance, mesh);
+  Refinement refinement(view, levels, distance, mesh);
   refinement.find(hits);
   if (refinement.vertices() > 0) refinement.divide();
   return refinement.vertices();

@@ -6,7 +6,7 @@
 
 #include "extract/embed/restore.h"
 #include "extract/emit.h"
-#include "extract/mend/strict.h"
+#include "extract/mend/double_edges.h"
 #include "extract/mend/unfold.h"
 #include "extract/place/place.h"
 #include "extract/place/refine.h"
@@ -36,19 +36,19 @@ struct Stage {
       loops.position[v] = rounded(loops.position[v].cwiseMax(lo + margin).cwiseMin(hi - margin));
     }
     mesh = loops;
-    details.hits.assign(grid.hits.size(), Detail::kPlain);
-    details.loops.assign(loops.vertices(), Detail::kPlain);
+    levels.hits.assign(grid.hits.size(), EmbedLevel::kTriangle);
+    levels.loops.assign(loops.vertices(), EmbedLevel::kTriangle);
   }
 
   void make(const std::vector<Index>* hits = nullptr) {
     const std::size_t vertices = mesh.vertices();
-    refine(view(), details, grid.tolerance, mesh, hits);
+    refine(view(), levels, grid.tolerance, mesh, hits);
     std::vector<Index> present;
     for (Index v = 0; v < mesh.vertices(); ++v) {
       if (mesh.first_half_edge[v] != kNone) present.push_back(v);
     }
     separate_double_edges(view(), mesh, &present);
-    unfold(view(), details, mesh);
+    unfold(view(), levels, mesh);
     for (std::size_t v = vertices; v < mesh.position.size(); ++v) {
       mesh.position[v] = rounded(mesh.position[v]);
     }
@@ -70,7 +70,7 @@ struct Stage {
   std::vector<Vec3> points;
   DualMesh loops;
   DualMesh mesh;
-  Details details;
+  EmbedLevels levels;
 };
 
 std::vector<Mesh> models() {
@@ -142,7 +142,7 @@ TEST(Clashes, AreTheSameAfterChanges) {
         std::vector<Index> hits;
         for (Index h = round; h < stage.grid.hits.size(); h += 17) {
           if (stage.loops.dropped(h)) continue;
-          stage.details.hits[h] = Detail::kFull;
+          stage.levels.hits[h] = EmbedLevel::kHitVertices;
           hits.push_back(h);
         }
         stage.mesh.touched_hits.clear();
@@ -162,7 +162,8 @@ TEST(Restore, TakesEverythingBack) {
   for (const Mesh& model : models()) {
     for (const BuildOptions& options : rules()) {
       Stage stage(model, options);
-      for (Index h = 0; h < stage.grid.hits.size(); h += 5) stage.details.hits[h] = Detail::kFull;
+      for (Index h = 0; h < stage.grid.hits.size(); h += 5)
+        stage.levels.hits[h] = EmbedLevel::kHitVertices;
       stage.make();
       std::vector<Index> all;
       for (Index h = 0; h < stage.grid.hits.size(); ++h) all.push_back(h);
@@ -187,7 +188,8 @@ TEST(Restore, TakesEverythingBack) {
 TEST(Restore, LeavesTheRest) {
   Stage stage(shapes::rotated(shapes::stairs(4), Vec3(1, 2, 3), 0.7),
               {.relative_tolerance = 0.005});
-  for (Index h = 0; h < stage.grid.hits.size(); h += 40) stage.details.hits[h] = Detail::kFull;
+  for (Index h = 0; h < stage.grid.hits.size(); h += 40)
+    stage.levels.hits[h] = EmbedLevel::kHitVertices;
   stage.make();
   const DualMesh before = stage.mesh;
   const Restored part = restore(stage.loops, {0}, stage.mesh);

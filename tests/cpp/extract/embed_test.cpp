@@ -127,8 +127,8 @@ TEST(Embed, QuadsAreNotLookedAt) {
   EXPECT_GT(out.quads.size(), 0u);
 }
 
-// The construction itself: in full detail every triangle lies in one leaf.
-TEST(Embed, FullDetailKeepsEachTriangleInItsLeaf) {
+// The construction itself: at level kLinksApart every triangle lies in one leaf.
+TEST(Embed, LinksApartKeepEachTriangleInItsLeaf) {
   for (const Mesh& mesh : models()) {
     const Grid handle = build_grid(mesh, {.relative_tolerance = 0.01});
     const GridData& grid = handle.data();
@@ -138,10 +138,10 @@ TEST(Embed, FullDetailKeepsEachTriangleInItsLeaf) {
     DualMesh dual = dual_mesh_of(grid);
     find_loops(grid, dual);
     place_vertices(view, {}, VertexPosition::kConstrained, dual);
-    Details details;
-    details.hits.assign(grid.hits.size(), Detail::kApart);
-    details.loops.assign(dual.vertices(), Detail::kApart);
-    refine(view, details, 1e9, dual);
+    EmbedLevels levels;
+    levels.hits.assign(grid.hits.size(), EmbedLevel::kLinksApart);
+    levels.loops.assign(dual.vertices(), EmbedLevel::kLinksApart);
+    refine(view, levels, 1e9, dual);
     check::expect_sound(dual);
     for (Index t = 0; t < dual.triangles(); ++t) {
       int loops = 0;

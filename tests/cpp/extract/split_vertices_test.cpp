@@ -6,7 +6,7 @@
 
 #include <limits>
 
-#include "extract/mend/strict.h"
+#include "extract/mend/double_edges.h"
 #include "kdmanifold/build.h"
 #include "kdmanifold/error.h"
 #include "kdmanifold/extract.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Double edges of hand-made surfaces are taken apart; the judge looks at the result.
-#include "extract/mend/strict.h"
+#include "extract/mend/double_edges.h"
 
 #include <gtest/gtest.h>
 
@@ -43,7 +43,7 @@ Index surplus_edges(const DualMesh& mesh) {
   return surplus;
 }
 
-TEST(Strict, ADoubleEdgeGetsOneVertex) {
+TEST(DoubleEdges, ADoubleEdgeGetsOneVertex) {
   DualMesh mesh = shapes::beach_ball(2);
   const std::vector<Vec3> points = prepare(mesh);
   ASSERT_FALSE(check::is_two_manifold(shapes::index_mesh(mesh)));
@@ -63,7 +63,7 @@ TEST(Strict, ADoubleEdgeGetsOneVertex) {
   EXPECT_EQ(mesh.position.back(), 0.5 * (points[mesh.hit[4]] + points[mesh.hit[5]]));
 }
 
-TEST(Strict, MultipleEdgesKeepOne) {
+TEST(DoubleEdges, MultipleEdgesKeepOne) {
   for (Index disks = 2; disks <= 9; ++disks) {
     DualMesh mesh = shapes::beach_ball(disks);
     const std::vector<Vec3> points = prepare(mesh);
@@ -76,7 +76,7 @@ TEST(Strict, MultipleEdgesKeepOne) {
   }
 }
 
-TEST(Strict, ARingOfManyNeighboursIsSearchedToo) {
+TEST(DoubleEdges, ARingOfManyNeighboursIsSearchedToo) {
   // More than a dozen neighbours, two of them the same.
   DualMesh mesh = shapes::beach_ball(20);
   const std::vector<Vec3> points = prepare(mesh);
@@ -84,7 +84,7 @@ TEST(Strict, ARingOfManyNeighboursIsSearchedToo) {
   EXPECT_TRUE(check::is_two_manifold(shapes::index_mesh(mesh)));
 }
 
-TEST(Strict, BothTrianglesMayHaveTheSameThirdVertex) {
+TEST(DoubleEdges, BothTrianglesMayHaveTheSameThirdVertex) {
   // Four vertices on a torus: edge 0-2 is doubled, and the triangles on both sides of it have
   // their third vertex in common, so the vertex put on it is doubly joined to that one in turn.
   DualMesh mesh = shapes::tight_torus(4, 2, 1);
@@ -104,7 +104,7 @@ TEST(Strict, BothTrianglesMayHaveTheSameThirdVertex) {
   EXPECT_EQ(result.euler_characteristic, 0);
 }
 
-TEST(Strict, EveryTightTorusBecomesManifold) {
+TEST(DoubleEdges, EveryTightTorusBecomesManifold) {
   int tested = 0;
   for (Index n = 3; n <= 12; ++n) {
     for (Index p = 1; p < n; ++p) {
@@ -132,7 +132,7 @@ TEST(Strict, EveryTightTorusBecomesManifold) {
   EXPECT_GT(tested, 300);
 }
 
-TEST(Strict, WhatIsManifoldStaysAsItIs) {
+TEST(DoubleEdges, WhatIsManifoldStaysAsItIs) {
   for (DualMesh mesh :
        {shapes::dual_mesh(shapes::icosphere(1).triangles),
         shapes::dual_mesh(shapes::torus(1, 0.3, 6, 5).triangles), shapes::tight_torus(7, 1, 2)}) {
@@ -145,7 +145,7 @@ TEST(Strict, WhatIsManifoldStaysAsItIs) {
   }
 }
 
-TEST(Strict, AStripThatIsDividedIsNoLongerOne) {
+TEST(DoubleEdges, AStripThatIsDividedIsNoLongerOne) {
   DualMesh mesh = shapes::beach_ball(2);
   const std::vector<Vec3> points = prepare(mesh);
   mesh.strip = {1, 1, 1, 1};  // both edges 0-1 cross strips
@@ -163,7 +163,7 @@ TEST(Strict, AStripThatIsDividedIsNoLongerOne) {
   EXPECT_EQ(strips, 2u);
 }
 
-TEST(Strict, IsNeededAndReported) {
+TEST(DoubleEdges, IsNeededAndReported) {
   // The raw surface of a thin wall on a coarse grid shows vertex pairs with several edges.
   Index inserted = 0;
   for (std::uint32_t seed = 0; seed < 10; ++seed) {

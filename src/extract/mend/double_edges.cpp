@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // From manifold half-edges to a manifold index mesh.
-#include "extract/mend/strict.h"
+#include "extract/mend/double_edges.h"
 
 #include <algorithm>
 
