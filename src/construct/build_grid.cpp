@@ -12,6 +12,7 @@
 #include "link/corners.h"
 #include "link/link.h"
 #include "link/used_planes.h"
+#include "mesh/progress.h"
 #include "prepare/surface.h"
 
 namespace kdm {
@@ -58,17 +59,11 @@ int depth_limit(const BuildOptions& options) {
   return options.strategy == SplitStrategy::kUniform ? kUniformDepth : kMaxDepth;
 }
 
-void report(const Progress& progress, double fraction, std::string_view phase) {
-  if (progress && !progress(fraction, phase)) {
-    throw Error(ErrorCode::kAborted, "stopped by the progress callback");
-  }
-}
-
 }  // namespace
 
 Grid build_grid(const Mesh& mesh, const BuildOptions& options, const Progress& progress) try {
   check_options(options);
-  report(progress, 0.0, "prepare");
+  report_progress(progress, 0.0, "prepare");
   Surface surface = options.thicken > 0 ? prepare_surface(thicken(mesh, options.thicken), options)
                                         : prepare_surface(mesh, options);
   check_thickness(options.thicken, surface.lattice.step);
@@ -76,17 +71,14 @@ Grid build_grid(const Mesh& mesh, const BuildOptions& options, const Progress& p
   grid->sheet = surface.sheet;
   grid->lattice = surface.lattice;
   grid->input = surface.report;
-  report(progress, 0.1, "build");
-  const Progress within = [&](double fraction, std::string_view phase) {
-    return progress(0.1 + 0.7 * fraction, phase);
-  };
+  report_progress(progress, 0.1, "build");
   const double tolerance = construct_cells(
       surface, options, tolerance_of(options, surface.diagonal) / surface.lattice.step,
-      depth_limit(options), progress ? within : Progress(), *grid);
+      depth_limit(options), part_of_progress(progress, 0.1, 0.8), *grid);
   grid->tolerance =
       tolerance > 0 ? tolerance : kUsualTolerance * surface.diagonal / surface.lattice.step;
   grid->stats.tolerance = grid->tolerance * surface.lattice.step;
-  report(progress, 0.8, "link");
+  report_progress(progress, 0.8, "link");
   if (surface.repair && grid->hits.empty()) {
     throw Error(ErrorCode::kNotClosed,
                 "the surface encloses nothing: it is open, and no point lies behind it on most "
@@ -105,7 +97,7 @@ Grid build_grid(const Mesh& mesh, const BuildOptions& options, const Progress& p
       grid->stats.topology_resolved && grid->stats.guessed_faces == 0 && !surface.repair;
   grid->stats.sheet = grid->sheet;
   grid->stats.bytes = grid->bytes();
-  report(progress, 1.0, "link");
+  report_progress(progress, 1.0, "link");
   return Grid(std::move(grid));
 } catch (const std::bad_alloc&) {
   throw Error(ErrorCode::kOutOfMemory, "there is not enough memory to build the grid");

@@ -14,7 +14,7 @@
 #include "geometry/assert.h"
 #include "inside/repair.h"
 #include "inside/winding.h"
-#include "kdmanifold/error.h"
+#include "mesh/progress.h"
 #include "split/split_rules.h"
 #include "split/triangle_lists.h"
 
@@ -93,7 +93,7 @@ class Construction {
  private:
   void split_cell(const CellFrame& frame) {
     if (is_beyond_limits(frame)) return;
-    report_progress(frame.done_before);
+    count_cell(frame.done_before);
     grid_.stats.depth = std::max(grid_.stats.depth, frame.depth);
     if (frame.triangles.size() == 0) return;
     const std::optional<Split> split =
@@ -254,12 +254,10 @@ class Construction {
     grid_.hits.resize(kept);
   }
 
-  void report_progress(double fraction) {
-    if (!progress_ || ++cells_since_report_ < kProgressInterval) return;
+  void count_cell(double fraction) {
+    if (++cells_since_report_ < kProgressInterval) return;
     cells_since_report_ = 0;
-    if (!progress_(fraction, "build")) {
-      throw Error(ErrorCode::kAborted, "stopped by the progress callback");
-    }
+    report_progress(progress_, fraction, "build");
   }
 
   Surface& surface_;

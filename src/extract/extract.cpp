@@ -23,15 +23,10 @@
 #include "extract/place/split_vertices.h"
 #include "kdmanifold/error.h"
 #include "mesh/boundary_loops.h"
+#include "mesh/progress.h"
 
 namespace kdm {
 namespace {
-
-void report(const Progress& progress, double fraction, std::string_view phase) {
-  if (progress && !progress(fraction, phase)) {
-    throw Error(ErrorCode::kAborted, "stopped by the progress callback");
-  }
-}
 
 // Where the surface is merely curved, a leaf's vertex lies a little off its planes, and splits
 // would fold it: by default only what looks like a second feature is split.
@@ -90,7 +85,7 @@ class Meshing {
     loops_ = dual_mesh_of(grid_);
     if (options_.strict != Strict::kOff) drop_pillows(loops_);
     find_loops(grid_, loops_);
-    report(progress, 0.4, "vertices");
+    report_progress(progress, 0.4, "vertices");
     boxes_ = cell_boxes(grid_);
     hit_points_ = hit_points(grid_, boxes_, options_.strict == Strict::kEmbedded);
     off_ = place_vertices(view(), error_, options_.position, loops_);
@@ -149,7 +144,9 @@ class Meshing {
     steps.make = [this](const EmbedLevels& levels, const Restored* part, DualMesh& made) {
       make(levels, part, made);
     };
-    steps.report = [&progress](int round) { report(progress, 0.9 - 0.2 / (1 + round), "faces"); };
+    steps.report = [&progress](int round) {
+      report_progress(progress, 0.9 - 0.2 / (1 + round), "faces");
+    };
     const Embedding embedding = embed(view(), kSlightly * grid_.tolerance, steps, loops_, mesh);
     report_out.refined_hits = embedding.refined_hits;
     report_out.crossings = embedding.crossings;
@@ -256,14 +253,14 @@ ExtractedMesh extract(const Grid& handle, const ExtractOptions& options,
   const GridData& grid = handle.data();
   const double crease = crease_cosine(options);
   Meshing meshing(grid, options);
-  report(progress, 0.0, "loops");
+  report_progress(progress, 0.0, "loops");
   meshing.find_vertices(progress);
-  report(progress, 0.7, "faces");
+  report_progress(progress, 0.7, "faces");
   ExtractedMesh out;
   const DualMesh mesh = meshing.faces(progress, out.report);
   if (mesh.open)
     out.report.boundary_loops = static_cast<Index>(find_rim_loops(mesh.opposite).size());
-  report(progress, 0.9, "faces");
+  report_progress(progress, 0.9, "faces");
   std::vector<Vec3> normals;
   if (options.normals) normals = corner_normals(grid, mesh, crease);
   static_cast<Mesh&>(out) =
@@ -282,7 +279,7 @@ ExtractedMesh extract(const Grid& handle, const ExtractOptions& options,
                   "take it as a sheet");
     }
   }
-  report(progress, 1.0, "faces");
+  report_progress(progress, 1.0, "faces");
   return out;
 } catch (const std::bad_alloc&) {
   throw Error(ErrorCode::kOutOfMemory, "there is not enough memory to extract the surface");
