@@ -65,8 +65,8 @@ double link_error(const GridData& grid, const ExtractOptions& options) {
 // The point, or one near it that is within the box and off its sides.
 Vec3 inside(const LatticeBox& box, double tolerance, const Vec3& point) {
   constexpr double kMargin = 1.0 / 32;
-  const Vec3 margin = (kMargin * (real(box.hi) - real(box.lo))).cwiseMin(tolerance / 2);
-  return point.cwiseMax(real(box.lo) + margin).cwiseMin(real(box.hi) - margin);
+  const Vec3 margin = (kMargin * (to_vec3(box.hi) - to_vec3(box.lo))).cwiseMin(tolerance / 2);
+  return point.cwiseMax(to_vec3(box.lo) + margin).cwiseMin(to_vec3(box.hi) - margin);
 }
 
 // Of the tolerance.

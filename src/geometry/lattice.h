@@ -25,7 +25,8 @@ inline constexpr std::int32_t kLatticeMargin = kLatticeSize / 256 + 1;
 
 using LatticePoint = std::array<std::int32_t, 3>;
 
-inline Vec3 real(const LatticePoint& p) { return Vec3(p[0], p[1], p[2]); }
+/// Returns the point's coordinates, in lattice units, as floating-point numbers.
+inline Vec3 to_vec3(const LatticePoint& p) { return Vec3(p[0], p[1], p[2]); }
 
 /// An axis-aligned box with lattice corners, both ends included.
 struct LatticeBox {

@@ -86,7 +86,7 @@ bool triangle_meets_box(const LatticeTriangle& t, const LatticeBox& box) {
 
 ClippedPolygon clip_to_box(const LatticeTriangle& t, const LatticeBox& box) {
   ClippedPolygon polygon;
-  for (const LatticePoint& p : t) polygon.corners[polygon.size++] = real(p);
+  for (const LatticePoint& p : t) polygon.corners[polygon.size++] = to_vec3(p);
   for (int axis = 0; axis < 3 && polygon.size > 0; ++axis) {
     for (const bool high : {false, true}) {
       const double bound = high ? box.hi[axis] : box.lo[axis];

@@ -145,7 +145,7 @@ void Repair::resolve_edge(const GridVertices& vertices, const Segment& edge, int
 
 Index Repair::invented_plane(const Segment& segment, const WalkedCrossing& invented) {
   const double up = invented.leaving ? 1 : -1;
-  Vec3 point = real(segment.low);
+  Vec3 point = to_vec3(segment.low);
   point[segment.axis] = real_position(invented.crossing.position);
   Vec3 normal = -field_.gradient(point);
   // Where the field says nothing, or the contrary, the edge is all that is known.

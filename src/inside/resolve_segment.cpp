@@ -108,7 +108,7 @@ LinePosition SegmentResolver::change_between(const Segment& segment, LinePositio
 }
 
 bool SegmentResolver::inside(const Segment& segment, double position) const {
-  Vec3 p = real(segment.low);
+  Vec3 p = to_vec3(segment.low);
   p[segment.axis] = position;
   return field_.inside(p);
 }

@@ -26,10 +26,12 @@ Vec3 area_of(const LatticeTriangle& t) {
                     static_cast<double>(area[2]));
 }
 
-Vec3 centroid_of(const LatticeTriangle& t) { return (real(t[0]) + real(t[1]) + real(t[2])) / 3.0; }
+Vec3 centroid_of(const LatticeTriangle& t) {
+  return (to_vec3(t[0]) + to_vec3(t[1]) + to_vec3(t[2])) / 3.0;
+}
 
 std::array<Vec3, 3> corners_from(const LatticeTriangle& t, const Vec3& p) {
-  return {real(t[0]) - p, real(t[1]) - p, real(t[2]) - p};
+  return {to_vec3(t[0]) - p, to_vec3(t[1]) - p, to_vec3(t[2]) - p};
 }
 
 HalfSolidAngle angle_of(const LatticeTriangle& t, const Vec3& p) {
@@ -115,8 +117,8 @@ void WindingField::summarise(Node& node) const {
     const Vec3 offset = centroid_of(t) - node.centre;
     double spread = 0;
     for (int k = 0; k < 3; ++k) {
-      radius = std::max(radius, (real(t[k]) - node.centre).norm());
-      spread += (real(t[k]) - real(t[next_axis(k)])).squaredNorm();
+      radius = std::max(radius, (to_vec3(t[k]) - node.centre).norm());
+      spread += (to_vec3(t[k]) - to_vec3(t[next_axis(k)])).squaredNorm();
     }
     node.area += area;
     node.first += area * offset.transpose();
@@ -211,7 +213,7 @@ bool WindingField::inside(const Vec3& p) const {
 
 bool WindingField::inside(const LatticePoint& p) const {
   // Off by so little that edges and corners at the vertex itself subtend what they should.
-  const Vec3 shifted = real(p) + Vec3(1.0 / (1 << 10), 1.0 / (1 << 20), 1.0 / (1 << 30));
+  const Vec3 shifted = to_vec3(p) + Vec3(1.0 / (1 << 10), 1.0 / (1 << 20), 1.0 / (1 << 30));
   return decide(shifted, [&](const LatticeTriangle& t, AngleSum& sum) {
     const HalfSolidAngle angle = angle_of(t, shifted);
     const double im = std::max(std::abs(angle.im), kTiny * std::abs(angle.re));

@@ -20,7 +20,7 @@ constexpr std::array<double, 9> kThresholds{0.5, 0.45, 0.4, 0.35, 0.3, 0.25, 0.2
 constexpr double kWorthIt = 0.01;  // of the area
 
 Vec3 twice_area(const LatticeTriangle& t) {
-  return (real(t[1]) - real(t[0])).cross(real(t[2]) - real(t[0]));
+  return (to_vec3(t[1]) - to_vec3(t[0])).cross(to_vec3(t[2]) - to_vec3(t[0]));
 }
 
 // Points spread evenly over the triangles, a little in front of them.
@@ -47,8 +47,8 @@ class Samples {
       u = 1 - u;
       v = 1 - v;
     }
-    const Vec3 origin = real(t[0]);
-    const Vec3 point = origin + u * (real(t[1]) - origin) + v * (real(t[2]) - origin);
+    const Vec3 origin = to_vec3(t[0]);
+    const Vec3 point = origin + u * (to_vec3(t[1]) - origin) + v * (to_vec3(t[2]) - origin);
     const Vec3 normal = twice_area(t);
     const double length = normal.norm();
     return length > 0 ? Vec3(point + kInFront / length * normal) : point;

@@ -88,11 +88,11 @@ class CornerSearch {
   // the bend comes in.
   Index leaf_behind(Index number) const {
     const LatticeBox& box = home_of(number);
-    const Vec3 tip = real(bend(number).at);
+    const Vec3 tip = to_vec3(bend(number).at);
     Vec3 back = Vec3::Zero();
     for (const Index t : bends_.triangles_round(bend(number))) {
       for (const LatticePoint& p : surface_.triangles[t]) {
-        const Vec3 along = real(p) - tip;
+        const Vec3 along = to_vec3(p) - tip;
         const double length = along.norm();
         if (length > 0) back += along / length;
       }
@@ -144,10 +144,10 @@ class CornerSearch {
 
   void search_loop(Index leaf, Index half_edge) {
     const LatticeBox& box = boxes_[leaf];
-    const double passing = kPassing * (real(box.hi) - real(box.lo)).minCoeff();
+    const double passing = kPassing * (to_vec3(box.hi) - to_vec3(box.lo)).minCoeff();
     corners_.clear();
     for (const Index i : bends_in_.of(leaf)) {
-      if (!planes_pass(real(bend(i).at), passing)) continue;
+      if (!planes_pass(to_vec3(bend(i).at), passing)) continue;
       if (home_[i] == leaf && !plane_missing(bend(i))) continue;
       if (on_same_part(i, box)) corners_.push_back(i);
     }
@@ -206,12 +206,12 @@ class CornerSearch {
   // Where a curved crease bends through the leaf there are several.
   Index middle_corner() const {
     if (corners_.size() == 1) return corners_[0];
-    PrimalQuadric quadric(real(bend(corners_[0]).at));
+    PrimalQuadric quadric(to_vec3(bend(corners_[0]).at));
     for (const Index i : corners_) add_planes(bend(i), quadric);
     Index best = kNone;
     double least = std::numeric_limits<double>::infinity();
     for (const Index i : corners_) {
-      const double error = quadric.error(real(bend(i).at));
+      const double error = quadric.error(to_vec3(bend(i).at));
       if (best != kNone && error >= least) continue;
       best = i;
       least = error;
@@ -225,13 +225,13 @@ class CornerSearch {
 
   // Where the planes met before rounding.
   Vec3 exact_position(Index number) const {
-    const Vec3 rounded = real(bend(number).at);
+    const Vec3 rounded = to_vec3(bend(number).at);
     PrimalQuadric quadric(rounded);
     add_planes(bend(number), quadric);
     const Vec3 exact = quadric.minimiser(PrimalQuadric::kFineCutoff);
     if ((exact - rounded).squaredNorm() > 1) return rounded;
     const LatticeBox& box = home_of(number);
-    return exact.cwiseMax(real(box.lo)).cwiseMin(real(box.hi));
+    return exact.cwiseMax(to_vec3(box.lo)).cwiseMin(to_vec3(box.hi));
   }
 
   const Surface& surface_;

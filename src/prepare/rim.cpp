@@ -15,8 +15,8 @@ struct Segment {
 
 Segment segment_of(const Surface& surface, Index side) {
   const LatticeTriangle& t = surface.triangles[side / 3];
-  const Vec3 from = real(t[side % 3]);
-  return {from, real(t[next_corner(static_cast<int>(side % 3))]) - from};
+  const Vec3 from = to_vec3(t[side % 3]);
+  return {from, to_vec3(t[next_corner(static_cast<int>(side % 3))]) - from};
 }
 
 }  // namespace

@@ -221,7 +221,7 @@ class AdaptiveRule : public SplitRule {
     for (const ListEntry& entry : cell.entries) {
       for (const LatticePoint& p : surface_.triangles[entry.triangle]) {
         if (!vertex_in_box(p, cell.box)) continue;
-        if (!is_met(real(p), kNone)) return true;
+        if (!is_met(to_vec3(p), kNone)) return true;
       }
     }
     return false;
@@ -301,7 +301,7 @@ class AdaptiveRule : public SplitRule {
       return largest;
     };
     const Vec3 vertex =
-        minimiser_within(quadric, real(box.lo), real(box.hi), tolerance_, residual).point;
+        minimiser_within(quadric, to_vec3(box.lo), to_vec3(box.hi), tolerance_, residual).point;
     // Splits of neighbours may yet put hits on any of the piece's triangles.
     const std::span<const Index> members = analysis_.members();
     for (std::size_t m = 0; m < members.size(); ++m) {
@@ -331,8 +331,8 @@ class AdaptiveRule : public SplitRule {
     for (std::size_t m = 0; m < members.size(); ++m) {
       if (!shows_in(m, piece)) continue;
       const LatticeTriangle& triangle = surface_.triangles[members[m]];
-      if (squared_distance(vertex, real(triangle[0]), real(triangle[1]), real(triangle[2])) <=
-          tolerance_ * tolerance_) {
+      if (squared_distance(vertex, to_vec3(triangle[0]), to_vec3(triangle[1]),
+                           to_vec3(triangle[2])) <= tolerance_ * tolerance_) {
         return true;
       }
     }
@@ -356,10 +356,10 @@ class AdaptiveRule : public SplitRule {
         const LatticePoint& a = surface_.triangles[triangle][i];
         const LatticePoint& b = surface_.triangles[triangle][next_corner(i)];
         if (!edge_meets_box(a, b, box)) continue;
-        const Vec3 along = real(b) - real(a);
-        const double foot = along.dot(vertex - real(a)) / along.squaredNorm();
+        const Vec3 along = to_vec3(b) - to_vec3(a);
+        const double foot = along.dot(vertex - to_vec3(a)) / along.squaredNorm();
         if (foot < 0 || foot > 1) continue;
-        if ((real(a) + foot * along - vertex).squaredNorm() <= limit * limit) return true;
+        if ((to_vec3(a) + foot * along - vertex).squaredNorm() <= limit * limit) return true;
         beside = true;
       }
     }

@@ -215,8 +215,8 @@ LatticeBox CellAnalysis::section_bounds(Index part, int axis, std::int32_t plane
       const LatticePoint& a = t[i];
       const LatticePoint& b = t[next_corner(i)];
       if (below_plane(a[axis], plane) == below_plane(b[axis], plane)) continue;
-      const Vec3 point = real(a) + static_cast<double>(plane - a[axis]) / (b[axis] - a[axis]) *
-                                       (real(b) - real(a));
+      const Vec3 point = to_vec3(a) + static_cast<double>(plane - a[axis]) / (b[axis] - a[axis]) *
+                                          (to_vec3(b) - to_vec3(a));
       for (int k = 0; k < 3; ++k) {
         const double x = std::clamp<double>(point[k], box_.lo[k], box_.hi[k]);
         bounds.lo[k] = std::min(bounds.lo[k], static_cast<std::int32_t>(std::floor(x)));
@@ -282,7 +282,8 @@ bool CellAnalysis::triangles_cross() {
   if (members_.size() > kFew) {
     std::vector<Box> boxes;
     boxes.reserve(members_.size());
-    for (const LatticeBox& bounds : bounds_) boxes.push_back({real(bounds.lo), real(bounds.hi)});
+    for (const LatticeBox& bounds : bounds_)
+      boxes.push_back({to_vec3(bounds.lo), to_vec3(bounds.hi)});
     bool cross = false;
     BoxTree(boxes).for_each_pair([&](Index i, Index j) { cross = cross || members_cross(i, j); });
     return cross;

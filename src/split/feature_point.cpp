@@ -23,7 +23,7 @@ constexpr double kMargin = 1.0 / 16;
 }  // namespace
 
 void FeatureFinder::find_in_cell(const LatticeBox& box, std::span<const ListEntry> entries) {
-  const Vec3 centre = 0.5 * (real(box.lo) + real(box.hi));
+  const Vec3 centre = 0.5 * (to_vec3(box.lo) + to_vec3(box.hi));
   PrimalQuadric quadric(centre);
   bool any = false;
   for (const ListEntry& entry : entries) {
@@ -38,7 +38,7 @@ void FeatureFinder::find_in_cell(const LatticeBox& box, std::span<const ListEntr
   if (!any) return;
   const Vec3 certainty = quadric.certainty();
   if (certainty.sum() < 1.5) return;  // one direction only: flat
-  features_.push_back({quadric.minimiser_in(real(box.lo), real(box.hi)), certainty});
+  features_.push_back({quadric.minimiser_in(to_vec3(box.lo), to_vec3(box.hi)), certainty});
 }
 
 void FeatureFinder::find_on_half_face(const LatticeBox& box, std::span<const ListEntry> entries,
@@ -46,7 +46,7 @@ void FeatureFinder::find_on_half_face(const LatticeBox& box, std::span<const Lis
   const std::int32_t plane = high ? box.hi[axis] : box.lo[axis];
   const int u = next_axis(axis);
   const int v = previous_axis(axis);
-  PrimalQuadric quadric(0.5 * (real(box.lo) + real(box.hi)));
+  PrimalQuadric quadric(0.5 * (to_vec3(box.lo) + to_vec3(box.hi)));
   bool any = false;
   for (const ListEntry& entry : entries) {
     const LatticeTriangle& t = surface_.triangles[entry.triangle];
@@ -82,7 +82,7 @@ void FeatureFinder::find_on_half_face(const LatticeBox& box, std::span<const Lis
   certainty[axis] = 0;  // the face is there already
   LatticeBox face = box;
   face.lo[axis] = face.hi[axis] = plane;
-  features_.push_back({quadric.minimiser_in(real(face.lo), real(face.hi)), certainty});
+  features_.push_back({quadric.minimiser_in(to_vec3(face.lo), to_vec3(face.hi)), certainty});
 }
 
 double FeatureFinder::score(const LatticeBox& box, int axis, double value) const {

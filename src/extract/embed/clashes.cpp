@@ -281,8 +281,8 @@ void Clashes::look_round(const DualMesh& mesh, Index suspect) {
 // The smallest cell round the leaf that holds all of the box: near the leaf, while the root is far.
 Index Clashes::cell_round(Index leaf, const Vec3& lo, const Vec3& hi) const {
   Index cell = leaf;
-  while (cell != 0 && !((lo.array() > real(view_.boxes[cell].lo).array()).all() &&
-                        (hi.array() < real(view_.boxes[cell].hi).array()).all())) {
+  while (cell != 0 && !((lo.array() > to_vec3(view_.boxes[cell].lo).array()).all() &&
+                        (hi.array() < to_vec3(view_.boxes[cell].hi).array()).all())) {
     cell = parent_[cell];
   }
   return cell;

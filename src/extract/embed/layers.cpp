@@ -19,7 +19,7 @@ constexpr double kLeastExtent = 16;
 class Layers {
  public:
   Layers(const LatticeBox& box, std::span<const Index> loops, DualMesh& mesh)
-      : lo_(real(box.lo)), hi_(real(box.hi)), loops_(loops), mesh_(mesh) {}
+      : lo_(to_vec3(box.lo)), hi_(to_vec3(box.hi)), loops_(loops), mesh_(mesh) {}
 
   bool run() {
     if ((hi_ - lo_).minCoeff() < kLeastExtent) return false;

@@ -107,8 +107,9 @@ class Moving {
     }
     of_hits_ = sum / static_cast<double>(ring_.size());
     const LatticeBox& box = view_.boxes[mesh_.leaf[v]];
-    of_neighbours_ =
-        (around / static_cast<double>(ring_.size())).cwiseMax(real(box.lo)).cwiseMin(real(box.hi));
+    of_neighbours_ = (around / static_cast<double>(ring_.size()))
+                         .cwiseMax(to_vec3(box.lo))
+                         .cwiseMin(to_vec3(box.hi));
     return true;
   }
 

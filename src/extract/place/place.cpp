@@ -56,8 +56,8 @@ Vec3 vertex_position(const GridView& view, std::span<const Index> hits, const La
   const Vec3 centre = sum / static_cast<double>(once.size());
   PrimalQuadric quadric(centre);
   for_each_plane(grid, once, [&](const Plane& plane) { quadric.add(plane); });
-  const Vec3 lo = real(box.lo);
-  const Vec3 hi = real(box.hi);
+  const Vec3 lo = to_vec3(box.lo);
+  const Vec3 hi = to_vec3(box.hi);
   if (position == VertexPosition::kProjection) return quadric.minimiser_projected(lo, hi);
   const Minimiser least = minimiser_within(quadric, lo, hi, grid.tolerance, [&](const Vec3& x) {
     return distance_to_planes(grid, hits, x);
@@ -118,7 +118,7 @@ Vec3 rim_position(const GridData& grid, std::span<const Index> hits,
   PrimalQuadric quadric(sum / static_cast<double>(rims.size()));
   for_each_plane(grid, hits, [&](const Plane& plane) { quadric.add(plane); });
   for (const RimHit* rim : rims) quadric.add({rim->normal, rim->normal.dot(rim->point)});
-  return quadric.minimiser_in(real(box.lo), real(box.hi));
+  return quadric.minimiser_in(to_vec3(box.lo), to_vec3(box.hi));
 }
 
 // Nearer to a corner than these fractions of the leaf's shortest side and of the tolerance, a
@@ -127,7 +127,7 @@ constexpr double kBesideCorner = 0.05;
 constexpr double kSlightly = 0.25;
 
 bool beside(const Vec3& corner, const Vec3& point, const LatticeBox& box, double tolerance) {
-  const double side = (real(box.hi) - real(box.lo)).minCoeff();
+  const double side = (to_vec3(box.hi) - to_vec3(box.lo)).minCoeff();
   return (corner - point).norm() <= std::max(kBesideCorner * side, kSlightly * tolerance);
 }
 

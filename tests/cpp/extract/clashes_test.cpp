@@ -30,8 +30,8 @@ struct Stage {
     find_loops(grid, loops);
     place_vertices(view(), {}, VertexPosition::kConstrained, loops);
     for (Index v = 0; v < loops.position.size(); ++v) {
-      const Vec3 lo = real(boxes[loops.leaf[v]].lo);
-      const Vec3 hi = real(boxes[loops.leaf[v]].hi);
+      const Vec3 lo = to_vec3(boxes[loops.leaf[v]].lo);
+      const Vec3 hi = to_vec3(boxes[loops.leaf[v]].hi);
       const Vec3 margin = (hi - lo) / 64;
       loops.position[v] = rounded(loops.position[v].cwiseMax(lo + margin).cwiseMin(hi - margin));
     }

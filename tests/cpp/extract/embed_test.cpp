@@ -155,8 +155,8 @@ TEST(Embed, LinksApartKeepEachTriangleInItsLeaf) {
       ASSERT_EQ(loops, 1) << "of triangle " << t;
       for (int i = 0; i < 3; ++i) {
         const Vec3& p = dual.position[dual.vertex[3 * t + i]];
-        ASSERT_TRUE((p.array() >= real(boxes[leaf].lo).array()).all());
-        ASSERT_TRUE((p.array() <= real(boxes[leaf].hi).array()).all());
+        ASSERT_TRUE((p.array() >= to_vec3(boxes[leaf].lo).array()).all());
+        ASSERT_TRUE((p.array() <= to_vec3(boxes[leaf].hi).array()).all());
       }
     }
   }

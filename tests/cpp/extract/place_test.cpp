@@ -39,7 +39,7 @@ struct Ring {
     }
   }
   double size() const { return box.hi[0] - box.lo[0]; }
-  Vec3 at(const Vec3& fraction) const { return real(box.lo) + size() * fraction; }
+  Vec3 at(const Vec3& fraction) const { return to_vec3(box.lo) + size() * fraction; }
   void add(const Vec3& point, const Vec3& normal, const Vec3& through) {
     const Vec3 unit = normal.normalized();
     hits.push_back(static_cast<Index>(hits.size()));
@@ -63,7 +63,8 @@ struct Ring {
     return vertex_position({grid, {}, points}, hits, box, position);
   }
   bool holds(const Vec3& x) const {
-    return (x.array() >= real(box.lo).array()).all() && (x.array() <= real(box.hi).array()).all();
+    return (x.array() >= to_vec3(box.lo).array()).all() &&
+           (x.array() <= to_vec3(box.hi).array()).all();
   }
 };
 
@@ -103,8 +104,8 @@ TEST(Place, FlatRidgeAndCornerRingsInLeavesOfEverySize) {
           const Vec3& n = made.grid.planes[static_cast<std::size_t>(2 * k)].normal;
           along -= n * n.dot(foot);
         }
-        const bool inside = (x.array() > real(made.box.lo).array()).all() &&
-                            (x.array() < real(made.box.hi).array()).all();
+        const bool inside = (x.array() > to_vec3(made.box.lo).array()).all() &&
+                            (x.array() < to_vec3(made.box.hi).array()).all();
         if (!inside) continue;
         ASSERT_LE(made.error(x), 1e-18 * (size + 1.0) * (size + 1.0));
         ASSERT_LE(along.norm(), 1e-9 * (size + 1));
@@ -180,7 +181,7 @@ TEST(Place, TheSizeOfTheLeafDoesNotMatter) {
           Vec3 normal = Vec3::Unit(i / 2) + 0.2 * Vec3::Ones() + noise * random.direction();
           made.add(made.at(random.point(0, 1)), normal, made.at(fraction));
         }
-        places.push_back((made.vertex(position) - real(made.box.lo)) / size);
+        places.push_back((made.vertex(position) - to_vec3(made.box.lo)) / size);
       }
       for (const Vec3& place : places) ASSERT_LE((place - places[0]).norm(), 1e-9) << round;
     }
@@ -208,7 +209,8 @@ TEST(Place, OutsideTheLeafOneIsTheBestTheOtherTheNearest) {
       PrimalQuadric quadric(made.mass_point());
       for (const Plane& p : made.grid.planes) quadric.add(p);
       const Vec3 free = quadric.minimiser();
-      ASSERT_LE((nearest - free.cwiseMax(real(made.box.lo)).cwiseMin(real(made.box.hi))).norm(), 0);
+      ASSERT_LE(
+          (nearest - free.cwiseMax(to_vec3(made.box.lo)).cwiseMin(to_vec3(made.box.hi))).norm(), 0);
       different += (best - nearest).norm() > 0.01 * size ? 1 : 0;
     }
   }

@@ -99,8 +99,8 @@ TEST(Slivers, VerticesStayInTheirLeavesAndNearTheirPlanes) {
         const Vec3& p = placed.mesh.position[v];
         if (p == before[v]) continue;
         const LatticeBox& box = placed.boxes[placed.mesh.leaf[v]];
-        ASSERT_TRUE((p.array() >= real(box.lo).array()).all());
-        ASSERT_TRUE((p.array() <= real(box.hi).array()).all());
+        ASSERT_TRUE((p.array() >= to_vec3(box.lo).array()).all());
+        ASSERT_TRUE((p.array() <= to_vec3(box.hi).array()).all());
         const std::vector<Index> ring = placed.ring(v);
         ASSERT_LE(distance_to_planes(placed.grid, ring, p),
                   std::max(distance_to_planes(placed.grid, ring, before[v]),

@@ -23,9 +23,9 @@ using check::Random;
 double plain_winding(const std::vector<LatticeTriangle>& triangles, const Vec3& p) {
   double sum = 0;
   for (const LatticeTriangle& t : triangles) {
-    const Vec3 a = real(t[0]) - p;
-    const Vec3 b = real(t[1]) - p;
-    const Vec3 c = real(t[2]) - p;
+    const Vec3 a = to_vec3(t[0]) - p;
+    const Vec3 b = to_vec3(t[1]) - p;
+    const Vec3 c = to_vec3(t[2]) - p;
     const double denominator = a.norm() * b.norm() * c.norm() + a.dot(b) * c.norm() +
                                b.dot(c) * a.norm() + c.dot(a) * b.norm();
     sum += 2 * std::atan2(a.dot(b.cross(c)), denominator);
@@ -162,7 +162,7 @@ TEST(WindingThreshold, KeepsWhatItCan) {
 }
 
 std::array<Vec3, 3> seen_from(const Vec3& p, const LatticeTriangle& t) {
-  return {real(t[0]) - p, real(t[1]) - p, real(t[2]) - p};
+  return {to_vec3(t[0]) - p, to_vec3(t[1]) - p, to_vec3(t[2]) - p};
 }
 
 double turns_of(const std::array<Vec3, 3>& corners) {
