@@ -17,28 +17,15 @@ struct DualMesh {
   std::vector<char> strip;           ///< per triangle: bit i, half-edge i crosses a strip
   std::vector<HalfEdgeId> first_half_edge;  ///< per vertex: one that starts there; on the boundary
                                             ///< the first of its ring; kNone: dropped
-  std::vector<CellId> leaf;          ///< per vertex: the leaf it lies in; kNone for inserted ones
-  std::vector<Vec3> position;        ///< per vertex, in lattice coordinates
-  std::vector<char> edited;          ///< per hit: more was done to its triangles than division
-  std::vector<HitId> touched_hits;   ///< whose triangles were edited or divided, in that order
-  std::vector<char> loop_was_split;  ///< per loop: vertices were split off
+  std::vector<CellId> leaf;    ///< per vertex: the leaf it lies in; kNone for inserted ones
+  std::vector<Vec3> position;  ///< per vertex, in lattice coordinates
   std::vector<LoopId> next_loop_in_leaf;  ///< per loop: the next one of its leaf, cyclically
-  std::vector<char> link_inside_face;     ///< per hit: bit i, as half-edge i was linked at first,
-                                          ///< the surface passes inside of the minimal face there
-  Index dropped_pillows = 0;
-  bool open = false;  ///< there is a boundary
+  bool open = false;                      ///< there is a boundary
 
   Index triangles() const { return static_cast<Index>(hit.size()); }
   /// Counts vertices, also dropped ones.
   Index vertices() const { return static_cast<Index>(first_half_edge.size()); }
   bool dropped(TriangleId triangle) const { return vertex[3 * triangle] == kNone; }
-  /// Notes that flips, splits or separated edges change the triangles of this hit.
-  void mark_edited(HitId of_hit) {
-    if (edited.size() <= of_hit) edited.resize(of_hit + 1, 0);
-    edited[of_hit] = 1;
-    touched_hits.push_back(of_hit);
-  }
-
   /// Appends triangle (a, b, c), unlinked; returns its first half-edge.
   HalfEdgeId add_triangle(HitId of_hit, VertexId a, VertexId b, VertexId c);
   void link(HalfEdgeId h, HalfEdgeId g) {
@@ -84,9 +71,10 @@ constexpr Index slot_at_place(Index place, bool reversed) { return place_of_slot
 /// Half-edges and links of the grid, still without vertices.
 DualMesh dual_mesh_of(const GridData& grid);
 
-/// Marks the parts without volume that a bulge leaves which pokes through one grid edge: two
-/// triangles linked to each other on all sides, or the same with each of them a quad.
-void drop_pillows(DualMesh& mesh);
+/// Drops the parts without volume that a bulge leaves which pokes through one grid edge: two
+/// triangles linked to each other on all sides, or the same with each of them a quad. Returns the
+/// number of parts.
+Index drop_pillows(DualMesh& mesh);
 
 /// Finds the loops: every cycle of half-edges round a corner becomes a vertex (paper 2.2), and
 /// every chain from boundary to boundary (2.3.2).

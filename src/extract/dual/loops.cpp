@@ -52,8 +52,6 @@ DualMesh dual_mesh_of(const GridData& grid) {
   mesh.vertex.assign(3 * grid.hits.size(), 0);
   mesh.hit.resize(triangles);
   mesh.strip.assign(triangles, 0);
-  mesh.edited.assign(triangles, 0);
-  mesh.link_inside_face.assign(triangles, 0);
   for (Index t = 0; t < triangles; ++t) {
     mesh.hit[t] = t;
     const bool reversed = grid.hits[t].reversed();
@@ -78,7 +76,8 @@ DualMesh dual_mesh_of(const GridData& grid) {
   return mesh;
 }
 
-void drop_pillows(DualMesh& mesh) {
+Index drop_pillows(DualMesh& mesh) {
+  Index dropped = 0;
   const auto drop = [&](Index triangle) {
     for (Index i = 0; i < 3; ++i) mesh.vertex[3 * triangle + i] = kNone;
   };
@@ -88,7 +87,7 @@ void drop_pillows(DualMesh& mesh) {
     if (other != kNone && other != t) {
       drop(t);
       drop(other);
-      ++mesh.dropped_pillows;
+      ++dropped;
       continue;
     }
     if (mesh.strip[t] == 0) continue;
@@ -107,8 +106,9 @@ void drop_pillows(DualMesh& mesh) {
       continue;
     }
     for (const Index triangle : {t, partner, behind, behind_partner}) drop(triangle);
-    ++mesh.dropped_pillows;
+    ++dropped;
   }
+  return dropped;
 }
 
 void find_loops(const GridData& grid, DualMesh& mesh) {

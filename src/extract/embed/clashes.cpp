@@ -81,10 +81,10 @@ double scale_for(const Lattice& lattice) {
 
 }  // namespace
 
-Clashes::Clashes(const GridView& view, const DualMesh& loops)
+Clashes::Clashes(const GridView& view, const DualMesh& loops, const EditLog& log)
     : view_(view),
       loops_(loops),
-      envelopes_(view, loops),
+      envelopes_(view, loops, log),
       triangles_(static_cast<Index>(view.grid.hits.size())),
       sure_(rounds_little(view.grid.lattice)),
       scale_(scale_for(view.grid.lattice)),

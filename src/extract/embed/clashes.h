@@ -10,7 +10,7 @@ namespace kdm {
 /// those of the hits and the suspects in the leaves that their boxes meet.
 class Clashes {
  public:
-  Clashes(const GridView& view, const DualMesh& loops);
+  Clashes(const GridView& view, const DualMesh& loops, const EditLog& log);
 
   /// Finds all of a mesh, whose vertices are rounded to 32 bits.
   void find(const DualMesh& mesh);

@@ -15,9 +15,10 @@ bool rounds_little(const Lattice& lattice) {
   return largest < lattice.step * 0x1p50 * 0x1p-14 * (kClear / 16);
 }
 
-Envelopes::Envelopes(const GridView& view, const DualMesh& loops)
+Envelopes::Envelopes(const GridView& view, const DualMesh& loops, const EditLog& log)
     : view_(view),
       loops_(loops),
+      log_(log),
       first_loop_(view.grid.cells.size(), kNone),
       next_loop_(loops.vertices(), kNone),
       separated_(view.grid.cells.size(), 1),
@@ -128,7 +129,7 @@ Envelopes::Stretch Envelopes::stretch(Index hit) const {
 }
 
 bool Envelopes::rim_holds(const DualMesh& mesh, Index hit) const {
-  if (doubled_[hit] != 0 || (hit < mesh.edited.size() && mesh.edited[hit] != 0)) return false;
+  if (doubled_[hit] != 0 || log_.edited(hit)) return false;
   for (Index i = 0; i < 3; ++i) {
     const Index half_edge = 3 * hit + i;
     const Index v = loops_.vertex[half_edge];
@@ -138,7 +139,7 @@ bool Envelopes::rim_holds(const DualMesh& mesh, Index hit) const {
     for (int axis = 0; axis < 3; ++axis) {
       if (!(p[axis] > box.lo[axis] + kClear && p[axis] < box.hi[axis] - kClear)) return false;
     }
-    if (((mesh.link_inside_face[hit] | loops_.strip[hit]) >> i & 1) == 0) return false;
+    if (((log_.links_inside_face(hit) | loops_.strip[hit]) >> i & 1) == 0) return false;
   }
   return true;
 }

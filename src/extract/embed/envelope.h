@@ -24,6 +24,7 @@
 
 #include "extract/dual/clearance.h"
 #include "extract/dual/dual_mesh.h"
+#include "extract/dual/edit_log.h"
 #include "extract/dual/grid_view.h"
 
 namespace kdm {
@@ -53,10 +54,11 @@ class HitTriangles {
   std::vector<Index> next_;   // per triangle
 };
 
-/// The test for the hits of a mesh. `loops` is what it was made from: one triangle a hit.
+/// The test for the hits of a mesh. `loops` is what it was made from: one triangle a hit. `log`
+/// says what was done to it since.
 class Envelopes {
  public:
-  Envelopes(const GridView& view, const DualMesh& loops);
+  Envelopes(const GridView& view, const DualMesh& loops, const EditLog& log);
 
   /// Finds anew whether the triangles round the loops of a leaf keep to sides of planes.
   void separate(const DualMesh& mesh, const HitTriangles& triangles, Index leaf);
@@ -93,6 +95,7 @@ class Envelopes {
 
   GridView view_;
   const DualMesh& loops_;
+  const EditLog& log_;
   std::vector<Index> first_loop_;  // per leaf
   std::vector<Index> next_loop_;   // per loop: in the same leaf
   std::vector<char> separated_;    // per leaf: its loops' triangles are

@@ -18,8 +18,8 @@ constexpr double kLeastExtent = 16;
 
 class Layers {
  public:
-  Layers(const LatticeBox& box, std::span<const Index> loops, DualMesh& mesh)
-      : lo_(to_vec3(box.lo)), hi_(to_vec3(box.hi)), loops_(loops), mesh_(mesh) {}
+  Layers(const LatticeBox& box, std::span<const Index> loops, DualMesh& mesh, EditLog& log)
+      : lo_(to_vec3(box.lo)), hi_(to_vec3(box.hi)), loops_(loops), mesh_(mesh), log_(log) {}
 
   bool run() {
     if ((hi_ - lo_).minCoeff() < kLeastExtent) return false;
@@ -68,7 +68,7 @@ class Layers {
       const Index from = inner_[curve[i]];
       const Index to = inner_[curve[next]];
       const Index h = fan[i];
-      mesh_.mark_edited(mesh_.hit[h / 3]);
+      log_.note_edited(mesh_.hit[h / 3]);
       mesh_.vertex[h] = from;
       mesh_.first_half_edge[from] = h;
       const Index b = mesh_.vertex[previous_in_triangle(h)];
@@ -124,6 +124,7 @@ class Layers {
   Vec3 hi_;
   std::span<const Index> loops_;
   DualMesh& mesh_;
+  EditLog& log_;
   std::vector<Index> ring_vertices_;      // of all loops
   std::vector<Curve> curves_;             // per loop: its part of these
   std::vector<std::vector<Index>> fans_;  // per loop: half-edges from it, in that order
@@ -133,8 +134,12 @@ class Layers {
 
 }  // namespace
 
-bool draw_inwards(const LatticeBox& box, std::span<const Index> loops, DualMesh& mesh) {
-  return Layers(box, loops, mesh).run();
+bool draw_inwards(const LatticeBox& box, std::span<const Index> loops, DualMesh& mesh,
+                  EditLog& log) {
+  const Index before = mesh.vertices();
+  const bool drawn = Layers(box, loops, mesh, log).run();
+  log.note_added(AddedBy::kLinks, before, mesh);
+  return drawn;
 }
 
 }  // namespace kdm

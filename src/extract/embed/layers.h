@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "extract/dual/dual_mesh.h"
+#include "extract/dual/edit_log.h"
 
 namespace kdm {
 
@@ -20,6 +20,7 @@ namespace kdm {
 ///        +-o-------o-+
 ///
 /// False if it cannot be done: a loop is on the boundary, not at that level, or rings meet.
-bool draw_inwards(const LatticeBox& box, std::span<const Index> loops, DualMesh& mesh);
+bool draw_inwards(const LatticeBox& box, std::span<const Index> loops, DualMesh& mesh,
+                  EditLog& log);
 
 }  // namespace kdm

@@ -13,8 +13,8 @@ namespace {
 
 class Restoring {
  public:
-  Restoring(const DualMesh& loops, DualMesh& mesh)
-      : loops_(loops), mesh_(mesh), included_(loops.hit.size(), 0) {}
+  Restoring(const DualMesh& loops, DualMesh& mesh, EditLog& log)
+      : loops_(loops), mesh_(mesh), log_(log), included_(loops.hit.size(), 0) {}
 
   Restored run(const std::vector<Index>& hits) {
     for (const Index h : hits) include(h);
@@ -44,19 +44,15 @@ class Restoring {
       const Index v = loops_.vertex[half_edge];
       if (!loops_.next_loop_in_leaf.empty() && loops_.next_loop_in_leaf[v] != v)
         include_ring(loops_.next_loop_in_leaf[v]);
-      if (!was_cut(v)) continue;
+      if (!log_.was_split(v)) continue;
       found_.cut.push_back(v);
-      mesh_.loop_was_split[v] = 0;
+      log_.forget_split(v);
       include_ring(v);
     }
   }
 
   void include_ring(Index v) {
     for (const HalfEdgeId h : loops_.ring(v)) include(h / 3);
-  }
-
-  bool was_cut(Index v) const {
-    return v < mesh_.loop_was_split.size() && mesh_.loop_was_split[v] != 0;
   }
 
   bool as_it_was(Index half_edge) const {
@@ -87,7 +83,7 @@ class Restoring {
   void relink(Index hit) {
     mesh_.hit[hit] = hit;
     mesh_.strip[hit] = loops_.strip[hit];
-    mesh_.edited[hit] = 0;
+    log_.forget_edits(hit);
     for (Index half_edge = 3 * hit; half_edge < 3 * hit + 3; ++half_edge) {
       mesh_.vertex[half_edge] = loops_.vertex[half_edge];
       mesh_.link(half_edge, loops_.opposite[half_edge]);
@@ -105,14 +101,16 @@ class Restoring {
 
   const DualMesh& loops_;
   DualMesh& mesh_;
+  EditLog& log_;
   std::vector<char> included_;  // per hit
   Restored found_;
 };
 
 }  // namespace
 
-Restored restore(const DualMesh& loops, const std::vector<Index>& hits, DualMesh& mesh) {
-  return Restoring(loops, mesh).run(hits);
+Restored restore(const DualMesh& loops, const std::vector<Index>& hits, DualMesh& mesh,
+                 EditLog& log) {
+  return Restoring(loops, mesh, log).run(hits);
 }
 
 }  // namespace kdm

@@ -2,7 +2,7 @@
 // Taking back what was done to a part of a dual mesh.
 #pragma once
 
-#include "extract/dual/dual_mesh.h"
+#include "extract/dual/edit_log.h"
 
 namespace kdm {
 
@@ -15,6 +15,7 @@ struct Restored {
 /// Makes the triangles of these hits, and of all that divisions, splits and flips have tied to
 /// them, again what they are in `loops`, from which the mesh was made: one triangle a hit. Vertices
 /// and triangles that were added there are dropped.
-Restored restore(const DualMesh& loops, const std::vector<Index>& hits, DualMesh& mesh);
+Restored restore(const DualMesh& loops, const std::vector<Index>& hits, DualMesh& mesh,
+                 EditLog& log);
 
 }  // namespace kdm

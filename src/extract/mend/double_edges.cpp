@@ -12,15 +12,14 @@ namespace {
 
 class Separation {
  public:
-  Separation(const GridView& view, DualMesh& mesh) : view_(view), mesh_(mesh) {}
+  Separation(const GridView& view, DualMesh& mesh, EditLog& log)
+      : view_(view), mesh_(mesh), log_(log) {}
 
-  Index run(const std::vector<Index>* vertices) {
-    const auto loops = mesh_.vertices();
-    if (vertices != nullptr) {
-      for (const Index v : *vertices) collect_doubles(v, 0);
-    } else {
-      for (Index v = 0; v < loops; ++v) collect_doubles(v, v + 1);
-    }
+  Index run(const Scope& vertices) {
+    const Index before = mesh_.vertices();
+    // Of all vertices each edge is found once, from its lower end.
+    vertices.for_each(before,
+                      [&](VertexId v) { collect_doubles(v, vertices.is_all() ? v + 1 : 0); });
     while (!doubles_.empty()) {
       const auto [from, to] = doubles_.back();
       const Index half_edge = second_half_edge(from, to);
@@ -30,7 +29,8 @@ class Separation {
         insert_vertex(half_edge);
       }
     }
-    return mesh_.vertices() - loops;
+    log_.note_added(AddedBy::kDoubleEdges, before, mesh_);
+    return mesh_.vertices() - before;
   }
 
  private:
@@ -70,14 +70,14 @@ class Separation {
   Index start_into(Index v) const { return mesh_.vertex[mesh_.boundary_into(v)]; }
 
   void insert_vertex(Index ab) {
-    mesh_.mark_edited(mesh_.hit[ab / 3]);
+    log_.note_edited(mesh_.hit[ab / 3]);
     if (mesh_.opposite[ab] == kNone) {
       const Index b = mesh_.end_vertex(ab);
       divide_boundary(ab, 0.5 * (mesh_.position[mesh_.vertex[ab]] + mesh_.position[b]), mesh_);
       return;
     }
     const Index ba = mesh_.opposite[ab];
-    mesh_.mark_edited(mesh_.hit[ba / 3]);
+    log_.note_edited(mesh_.hit[ba / 3]);
     const Index c = mesh_.vertex[previous_in_triangle(ab)];
     const Index d = mesh_.vertex[previous_in_triangle(ba)];
     const Vec3 position = between(ab / 3, ba / 3, mesh_.vertex[ab], mesh_.vertex[ba]);
@@ -95,15 +95,16 @@ class Separation {
 
   GridView view_;
   DualMesh& mesh_;
+  EditLog& log_;
   std::vector<Index> ring_;
   std::vector<std::pair<Index, Index>> doubles_;  // vertices that may be joined more than once
 };
 
 }  // namespace
 
-Index separate_double_edges(const GridView& view, DualMesh& mesh,
-                            const std::vector<Index>* vertices) {
-  return Separation(view, mesh).run(vertices);
+Index separate_double_edges(const GridView& view, DualMesh& mesh, EditLog& log,
+                            const Scope& vertices) {
+  return Separation(view, mesh, log).run(vertices);
 }
 
 }  // namespace kdm

@@ -22,20 +22,16 @@ constexpr int kMaxFlips = 4;  // of one triangle
 
 class Unfolding {
  public:
-  Unfolding(const GridView& view, const EmbedLevels& levels, DualMesh& mesh)
-      : view_(view), mesh_(mesh), flips_(mesh.triangles(), 0) {
+  Unfolding(const GridView& view, const EmbedLevels& levels, DualMesh& mesh, EditLog& log)
+      : view_(view), mesh_(mesh), log_(log), flips_(mesh.triangles(), 0) {
     if (levels.hits.empty()) return;
     for (Index t = 0; t < mesh.triangles(); ++t) {
       if (levels.of_hit(mesh.hit[t]) != EmbedLevel::kTriangle) flips_[t] = kMaxFlips;
     }
   }
 
-  Index run(const std::vector<Index>* triangles) {
-    if (triangles != nullptr) {
-      for (const Index t : *triangles) look_at(t);
-    } else {
-      for (Index t = 0; t < mesh_.triangles(); ++t) look_at(t);
-    }
+  Index run(const Scope& triangles) {
+    triangles.for_each(mesh_.triangles(), [&](TriangleId t) { look_at(t); });
     Index flips = 0;
     while (!queue_.empty()) {
       const Index t = queue_.back();
@@ -46,6 +42,7 @@ class Unfolding {
         ++flips;
       }
     }
+    log_.note_flips(flips);
     return flips;
   }
 
@@ -100,8 +97,8 @@ class Unfolding {
     }
     if (best.half_edge == kNone) return false;
     const Index other = mesh_.opposite[best.half_edge] / 3;
-    mesh_.mark_edited(mesh_.hit[t]);
-    mesh_.mark_edited(mesh_.hit[other]);
+    log_.note_edited(mesh_.hit[t]);
+    log_.note_edited(mesh_.hit[other]);
     mesh_.hit[t] = best.hits[0];
     mesh_.hit[other] = best.hits[1];
     flip(best.half_edge);
@@ -221,15 +218,16 @@ class Unfolding {
 
   GridView view_;
   DualMesh& mesh_;
+  EditLog& log_;
   std::vector<Index> queue_;
   std::vector<int> flips_;  // per triangle
 };
 
 }  // namespace
 
-Index unfold(const GridView& view, const EmbedLevels& levels, DualMesh& mesh,
-             const std::vector<Index>* triangles) {
-  return Unfolding(view, levels, mesh).run(triangles);
+Index unfold(const GridView& view, const EmbedLevels& levels, DualMesh& mesh, EditLog& log,
+             const Scope& triangles) {
+  return Unfolding(view, levels, mesh, log).run(triangles);
 }
 
 }  // namespace kdm

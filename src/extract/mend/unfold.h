@@ -2,8 +2,10 @@
 // Triangles that are folded over their neighbours, or thin.
 #pragma once
 
+#include "extract/dual/edit_log.h"
 #include "extract/dual/embed_level.h"
 #include "extract/dual/grid_view.h"
+#include "extract/dual/scope.h"
 
 namespace kdm {
 
@@ -12,8 +14,8 @@ namespace kdm {
 /// such folds, which reach beyond the surface. The same where the smallest angle of thin triangles
 /// becomes twice as wide, as of three vertices in a row along a crease. No edge is doubled by it,
 /// so an index mesh that is 2-manifold stays so. Triangles of hits above level `kTriangle` are left
-/// alone. Returns the number of flips. Looks among all triangles or among `triangles`.
-Index unfold(const GridView& view, const EmbedLevels& levels, DualMesh& mesh,
-             const std::vector<Index>* triangles = nullptr);
+/// alone. Looks among all triangles or those of a list. Returns the number of flips.
+Index unfold(const GridView& view, const EmbedLevels& levels, DualMesh& mesh, EditLog& log,
+             const Scope& triangles = {});
 
 }  // namespace kdm

@@ -146,12 +146,12 @@ std::vector<std::pair<Index, Vec3>> kept_corners(const GridData& grid, const Dua
   return corners;
 }
 
-std::vector<Index> place_vertices(const GridView& view, const SplitError& error,
-                                  VertexPosition position, DualMesh& mesh) {
+std::vector<Index> place_vertices(const GridView& view, const FaceSettings& settings,
+                                  DualMesh& mesh) {
   const GridData& grid = view.grid;
   const auto vertices = mesh.vertices();
   mesh.position.reserve(vertices);
-  std::vector<Index> off;
+  std::vector<LoopId> missed;
   std::vector<Index> hits;
   std::vector<const RimHit*> rims;
   const std::vector<std::pair<Index, Vec3>> corners = kept_corners(grid, mesh);
@@ -166,19 +166,20 @@ std::vector<Index> place_vertices(const GridView& view, const SplitError& error,
       continue;
     }
     while (corner != corners.end() && corner->first < vertex) ++corner;
-    const Vec3 point = vertex_position(view, hits, box, position);
+    const Vec3 point = vertex_position(view, hits, box, settings.position);
     if (corner != corners.end() && corner->first == vertex &&
         !beside(corner->second, point, box, grid.tolerance)) {
       mesh.position.push_back(corner->second);
       continue;
     }
     mesh.position.push_back(point);
-    if (!mesh.on_boundary(vertex) && !meets_planes(grid, hits, point, error.distance) &&
-        !meets_planes(grid, hits, point, error_limit(error, view, hits, point))) {
-      off.push_back(vertex);
+    if (!mesh.on_boundary(vertex) &&
+        !meets_planes(grid, hits, point, settings.split_error.distance) &&
+        !meets_planes(grid, hits, point, error_limit(settings.split_error, view, hits, point))) {
+      missed.push_back(vertex);
     }
   }
-  return off;
+  return missed;
 }
 
 }  // namespace kdm

@@ -2,13 +2,12 @@
 // Where vertices go (paper 2.2.1).
 #pragma once
 
-#include <limits>
 #include <span>
 #include <utility>
 
 #include "extract/dual/dual_mesh.h"
 #include "extract/dual/grid_view.h"
-#include "kdmanifold/extract.h"
+#include "extract/place/face_settings.h"
 
 namespace kdm {
 
@@ -18,18 +17,12 @@ namespace kdm {
 Vec3 vertex_position(const GridView& view, std::span<const Index> hits, const LatticeBox& box,
                      VertexPosition position);
 
-/// How far a vertex may lie from the plane of one of its hits: the larger of the two.
-struct SplitError {
-  double distance = std::numeric_limits<double>::infinity();  ///< lattice units
-  double of_hits = 0;  ///< fraction of the distance to the furthest of its hits
-};
-
 /// Puts each loop's vertex near its hits' planes, kept within its leaf as `position` says; on the
 /// boundary also near the planes through the rim; at corners that the grid keeps. Returns the other
 /// vertices that lie further off than the error, but for those on the boundary: a split is not
 /// defined there.
-std::vector<Index> place_vertices(const GridView& view, const SplitError& error,
-                                  VertexPosition position, DualMesh& mesh);
+std::vector<Index> place_vertices(const GridView& view, const FaceSettings& settings,
+                                  DualMesh& mesh);
 
 /// Vertices for which the grid keeps corners, of which their hits do not tell, and these;
 /// ascending.

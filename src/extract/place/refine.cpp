@@ -15,20 +15,14 @@ namespace {
 
 class Refinement {
  public:
-  Refinement(const GridView& view, const EmbedLevels& levels, double distance, DualMesh& mesh)
-      : view_(view), levels_(levels), distance_(distance), mesh_(mesh) {}
+  Refinement(const GridView& view, const EmbedLevels& levels, double distance, DualMesh& mesh,
+             EditLog& log)
+      : view_(view), levels_(levels), distance_(distance), mesh_(mesh), log_(log) {}
 
   // All is found before anything is divided, so half-edge h is still that of hit h / 3.
-  void find(const std::vector<Index>* hits) {
-    const auto all = static_cast<Index>(view_.hit_points.size());
-    if (hits == nullptr) {
-      for (Index t = 0; t < all; ++t) look_at(t, [](Index) { return true; });
-    } else {
-      for (const Index t : *hits) {
-        look_at(t,
-                [&](Index other) { return std::binary_search(hits->begin(), hits->end(), other); });
-      }
-    }
+  void find(const Scope& hits) {
+    hits.for_each(static_cast<Index>(view_.hit_points.size()),
+                  [&](HitId hit) { look_at(hit, hits); });
   }
 
   void divide() {
@@ -37,7 +31,8 @@ class Refinement {
     for (const Index t : triangles_) division.triangle(t, view_.hit_points[t]);
     for (const std::vector<Crossing>* crossings : {&strips_, &links_}) {
       for (const Crossing& c : *crossings) {
-        mesh_.touched_hits.insert(mesh_.touched_hits.end(), {c.half_edge / 3, c.other / 3});
+        log_.note_divided(c.half_edge / 3);
+        log_.note_divided(c.other / 3);
         division.edge(c.half_edge, c.position);
       }
     }
@@ -56,13 +51,12 @@ class Refinement {
   };
 
   // A link is looked at from its lower half-edge, or from the one whose hit is looked at.
-  template <typename Included>
-  void look_at(Index t, const Included& included) {
+  void look_at(HitId t, const Scope& hits) {
     if (mesh_.dropped(t)) return;
     const auto half_edges = static_cast<Index>(3 * view_.hit_points.size());
     for (Index h = 3 * t; h < 3 * t + 3; ++h) {
       const Index other = mesh_.opposite[h];
-      if (other >= half_edges || (other < h && included(other / 3))) continue;
+      if (other >= half_edges || (other < h && hits.contains(other / 3))) continue;
       if ((mesh_.strip[t] >> (h % 3) & 1) != 0) {
         // Two hits at one point: one vertex, on the edge between their triangles.
         if (level_of_link(t, other / 3) != EmbedLevel::kTriangle)
@@ -89,15 +83,15 @@ class Refinement {
     const EmbedLevel level = level_of_link(h / 3, other / 3);
     const Vec3 crossing = crossing_point(*face, p, q);
     std::optional<Vec3> vertex = vertex_on(*face, level, h, other, crossing);
-    bool through = within(*face, crossing) && !nearly_parallel(q - p, face->axis);
+    bool inside_face = within(*face, crossing) && !nearly_parallel(q - p, face->axis);
     if (vertex) {
       // Arcs over one edge must stay nested.
       if (level < EmbedLevel::kLinksApart) *vertex = off_sides(*face, *vertex, levels_.margin);
       links_.push_back({h, other, *vertex});
-      through = within(*face, *vertex);
+      inside_face = within(*face, *vertex);
     }
-    mark_link(h, through);
-    mark_link(other, through);
+    log_.note_link(h, inside_face);
+    log_.note_link(other, inside_face);
   }
 
   // What the link needs, if anything.
@@ -147,13 +141,6 @@ class Refinement {
     return links;
   }
 
-  void mark_link(Index half_edge, bool through) {
-    if (mesh_.link_inside_face.empty()) return;
-    char& bits = mesh_.link_inside_face[half_edge / 3];
-    const int bit = 1 << half_edge % 3;
-    bits = static_cast<char>(through ? bits | bit : bits & ~bit);
-  }
-
   static Vec3 crossing_point(const LinkFace& face, const Vec3& p, const Vec3& q) {
     const double across = q[face.axis] - p[face.axis];
     if (across == 0) return 0.5 * (p + q);
@@ -182,6 +169,7 @@ class Refinement {
   const EmbedLevels& levels_;
   double distance_;
   DualMesh& mesh_;
+  EditLog& log_;
   std::vector<Index> triangles_;  // of hits that become vertices
   std::vector<Crossing> strips_;  // between two hits that become one vertex
   std::vector<Crossing> links_;
@@ -191,10 +179,12 @@ class Refinement {
 }  // namespace
 
 Index refine(const GridView& view, const EmbedLevels& levels, double distance, DualMesh& mesh,
-             const std::vector<Index>* hits) {
-  Refinement refinement(view, levels, distance, mesh);
+             EditLog& log, const Scope& hits) {
+  const Index before = mesh.vertices();
+  Refinement refinement(view, levels, distance, mesh, log);
   refinement.find(hits);
   if (refinement.vertices() > 0) refinement.divide();
+  log.note_added(AddedBy::kLinks, before, mesh);
   return refinement.vertices();
 }
 

@@ -23,6 +23,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "extract/place/place.h"
+
 namespace kdm {
 namespace {
 
@@ -31,17 +33,19 @@ constexpr double kLeastCosine = 0.5;
 
 class Splitting {
  public:
-  Splitting(const GridView& view, const SplitError& error, VertexPosition position, DualMesh& mesh)
-      : view_(view), error_(error), position_(position), mesh_(mesh), before_(mesh.triangles()) {}
+  Splitting(const GridView& view, const FaceSettings& settings, DualMesh& mesh, EditLog& log)
+      : view_(view), settings_(settings), mesh_(mesh), log_(log), before_(mesh.triangles()) {}
 
-  Index run(const std::vector<Index>& vertices) {
-    const auto loops = mesh_.vertices();
-    for (const Index v : vertices) {
+  Index run(const Scope& vertices) {
+    const Index before = mesh_.vertices();
+    vertices.for_each(before, [&](VertexId v) {
+      if (mesh_.on_boundary(v)) return;
       read_ring(v);
-      limit_ = error_limit(error_, view_, polygons_, mesh_.position[v]);
+      limit_ = error_limit(settings_.split_error, view_, polygons_, mesh_.position[v]);
       split(v);
-    }
-    return mesh_.vertices() - loops;
+    });
+    log_.note_added(AddedBy::kVertexSplits, before, mesh_);
+    return mesh_.vertices() - before;
   }
 
  private:
@@ -72,10 +76,10 @@ class Splitting {
   void read_ring(Index v) {
     ring_.clear();
     polygons_.clear();
-    places_.clear();
+    ring_index_.clear();
     for (const HalfEdgeId h : mesh_.ring(v)) {
       if (!filling(h / 3)) {
-        places_.push_back(ring_.size());
+        ring_index_.push_back(ring_.size());
         polygons_.push_back(mesh_.hit[h / 3]);
       }
       ring_.push_back(h);
@@ -88,7 +92,7 @@ class Splitting {
     for (std::size_t i = 0; i < section.count; ++i) {
       hits_.push_back(polygons_[(section.first + i) % polygons_.size()]);
     }
-    const Vec3 position = vertex_position(view_, hits_, view_.boxes[leaf], position_);
+    const Vec3 position = vertex_position(view_, hits_, view_.boxes[leaf], settings_.position);
     if (!meets_planes(view_.grid, hits_, position, limit_)) return false;
     section.position = position;
     return true;
@@ -112,8 +116,8 @@ class Splitting {
 
   // The half-edge out of v between polygon i and the next one: in the middle of what fills them.
   Index boundary_after(std::size_t i) const {
-    const std::size_t from = places_[i];
-    const std::size_t to = places_[(i + 1) % places_.size()];
+    const std::size_t from = ring_index_[i];
+    const std::size_t to = ring_index_[(i + 1) % ring_index_.size()];
     const std::size_t gap = (to + ring_.size() - from - 1) % ring_.size();
     return ring_[(from + gap / 2) % ring_.size()];
   }
@@ -132,9 +136,8 @@ class Splitting {
         folded(polygons_[section.first], target(before), rest, section.position)) {
       return false;
     }
-    for (const Index hit : polygons_) mesh_.mark_edited(hit);
-    if (mesh_.loop_was_split.size() <= v) mesh_.loop_was_split.resize(v + 1, 0);
-    mesh_.loop_was_split[v] = 1;
+    for (const Index hit : polygons_) log_.note_edited(hit);
+    log_.note_split(v);
     const auto w = mesh_.vertices();
     mesh_.position.push_back(section.position);
     mesh_.leaf.push_back(mesh_.leaf[v]);
@@ -167,7 +170,7 @@ class Splitting {
     for (std::size_t i = section.count - shared; i < n + shared; ++i) {
       hits_.push_back(polygons_[(section.first + i) % n]);
     }
-    return vertex_position(view_, hits_, view_.boxes[leaf], position_);
+    return vertex_position(view_, hits_, view_.boxes[leaf], settings_.position);
   }
 
   // Would the triangle beside the new edge be turned away from the polygon it continues?
@@ -181,24 +184,24 @@ class Splitting {
   Index target(Index half_edge) const { return mesh_.end_vertex(half_edge); }
 
   GridView view_;
-  SplitError error_;
-  VertexPosition position_;
+  const FaceSettings& settings_;
   DualMesh& mesh_;
+  EditLog& log_;
   Index before_;               // triangles
   double limit_ = 0;           // of the vertex at hand
   std::vector<char> filling_;  // per triangle added
   // Of the vertex at hand: its half-edges, the hits of its polygons and their places in the ring.
   std::vector<Index> ring_;
   std::vector<Index> polygons_;
-  std::vector<std::size_t> places_;
+  std::vector<std::size_t> ring_index_;
   std::vector<Index> hits_;
 };
 
 }  // namespace
 
-Index split_vertices(const GridView& view, const SplitError& error, VertexPosition position,
-                     const std::vector<Index>& vertices, DualMesh& mesh) {
-  return Splitting(view, error, position, mesh).run(vertices);
+Index split_vertices(const GridView& view, const FaceSettings& settings, DualMesh& mesh,
+                     EditLog& log, const Scope& vertices) {
+  return Splitting(view, settings, mesh, log).run(vertices);
 }
 
 }  // namespace kdm

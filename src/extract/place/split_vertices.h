@@ -2,13 +2,17 @@
 // Vertices for more than one feature in a leaf (paper 2.3.1).
 #pragma once
 
-#include "extract/place/place.h"
+#include "extract/dual/edit_log.h"
+#include "extract/dual/grid_view.h"
+#include "extract/dual/scope.h"
+#include "extract/place/face_settings.h"
 
 namespace kdm {
 
-/// Splits each of the vertices that lies further off than the error: its ring is cut into sections
-/// that one vertex each can serve. Returns the number of vertices added; each brings two triangles.
-Index split_vertices(const GridView& view, const SplitError& error, VertexPosition position,
-                     const std::vector<Index>& vertices, DualMesh& mesh);
+/// Splits each of the vertices that lies further off the planes of its hits than the error of the
+/// settings: its ring is cut into sections that one vertex each can serve. Vertices on the boundary
+/// stay. Returns the number of vertices added; each brings two triangles.
+Index split_vertices(const GridView& view, const FaceSettings& settings, DualMesh& mesh,
+                     EditLog& log, const Scope& vertices = {});
 
 }  // namespace kdm

@@ -28,7 +28,7 @@ struct Stage {
         loops(dual_mesh_of(grid)) {
     drop_pillows(loops);
     find_loops(grid, loops);
-    place_vertices(view(), {}, VertexPosition::kConstrained, loops);
+    place_vertices(view(), {}, loops);
     for (Index v = 0; v < loops.position.size(); ++v) {
       const Vec3 lo = to_vec3(boxes[loops.leaf[v]].lo);
       const Vec3 hi = to_vec3(boxes[loops.leaf[v]].hi);
@@ -40,15 +40,15 @@ struct Stage {
     levels.loops.assign(loops.vertices(), EmbedLevel::kTriangle);
   }
 
-  void make(const std::vector<Index>* hits = nullptr) {
+  void make(const Scope& hits = {}) {
     const std::size_t vertices = mesh.vertices();
-    refine(view(), levels, grid.tolerance, mesh, hits);
+    refine(view(), levels, grid.tolerance, mesh, log, hits);
     std::vector<Index> present;
     for (Index v = 0; v < mesh.vertices(); ++v) {
       if (mesh.first_half_edge[v] != kNone) present.push_back(v);
     }
-    separate_double_edges(view(), mesh, &present);
-    unfold(view(), levels, mesh);
+    separate_double_edges(view(), mesh, log, present);
+    unfold(view(), levels, mesh, log);
     for (std::size_t v = vertices; v < mesh.position.size(); ++v) {
       mesh.position[v] = rounded(mesh.position[v]);
     }
@@ -70,6 +70,7 @@ struct Stage {
   std::vector<Vec3> points;
   DualMesh loops;
   DualMesh mesh;
+  EditLog log;
   EmbedLevels levels;
 };
 
@@ -104,7 +105,7 @@ TEST(Clashes, AreThoseOfAllPairs) {
       SCOPED_TRACE(number++);
       Stage stage(model, options);
       stage.make();
-      Clashes clashes(stage.view(), stage.loops);
+      Clashes clashes(stage.view(), stage.loops, stage.log);
       clashes.find(stage.mesh);
       ASSERT_EQ(clashes.pairs(), stage.crossings());
       found += clashes.pairs();
@@ -118,7 +119,7 @@ TEST(Clashes, MostHitsKeepToTheirEnvelopes) {
   for (const BuildOptions& options : rules()) {
     Stage stage(shapes::icosphere(4), options);
     stage.make();
-    Envelopes envelopes(stage.view(), stage.loops);
+    Envelopes envelopes(stage.view(), stage.loops, stage.log);
     HitTriangles triangles(static_cast<Index>(stage.grid.hits.size()));
     triangles.read(stage.mesh);
     std::size_t held = 0;
@@ -136,7 +137,7 @@ TEST(Clashes, AreTheSameAfterChanges) {
       SCOPED_TRACE(number++);
       Stage stage(model, options);
       stage.make();
-      Clashes clashes(stage.view(), stage.loops);
+      Clashes clashes(stage.view(), stage.loops, stage.log);
       clashes.find(stage.mesh);
       for (Index round = 0; round < 2; ++round) {
         std::vector<Index> hits;
@@ -145,11 +146,11 @@ TEST(Clashes, AreTheSameAfterChanges) {
           stage.levels.hits[h] = EmbedLevel::kHitVertices;
           hits.push_back(h);
         }
-        stage.mesh.touched_hits.clear();
-        Restored part = restore(stage.loops, hits, stage.mesh);
-        stage.make(&part.hits);
-        part.hits.insert(part.hits.end(), stage.mesh.touched_hits.begin(),
-                         stage.mesh.touched_hits.end());
+        stage.log.forget_touched();
+        Restored part = restore(stage.loops, hits, stage.mesh, stage.log);
+        stage.make(part.hits);
+        part.hits.insert(part.hits.end(), stage.log.touched_hits().begin(),
+                         stage.log.touched_hits().end());
         clashes.find_again(stage.mesh, part.hits);
         ASSERT_EQ(clashes.pairs(), stage.crossings());
       }
@@ -167,7 +168,7 @@ TEST(Restore, TakesEverythingBack) {
       stage.make();
       std::vector<Index> all;
       for (Index h = 0; h < stage.grid.hits.size(); ++h) all.push_back(h);
-      restore(stage.loops, all, stage.mesh);
+      restore(stage.loops, all, stage.mesh, stage.log);
       const std::size_t half_edges = stage.loops.vertex.size();
       for (std::size_t h = 0; h < half_edges; ++h) {
         ASSERT_EQ(stage.mesh.vertex[h], stage.loops.vertex[h]);
@@ -192,7 +193,7 @@ TEST(Restore, LeavesTheRest) {
     stage.levels.hits[h] = EmbedLevel::kHitVertices;
   stage.make();
   const DualMesh before = stage.mesh;
-  const Restored part = restore(stage.loops, {0}, stage.mesh);
+  const Restored part = restore(stage.loops, {0}, stage.mesh, stage.log);
   ASSERT_LT(part.hits.size(), stage.grid.hits.size() / 2);
   EXPECT_TRUE(std::is_sorted(part.hits.begin(), part.hits.end()));
   std::size_t kept = 0;

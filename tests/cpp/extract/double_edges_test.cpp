@@ -46,8 +46,9 @@ Index surplus_edges(const DualMesh& mesh) {
 TEST(DoubleEdges, ADoubleEdgeGetsOneVertex) {
   DualMesh mesh = shapes::beach_ball(2);
   const std::vector<Vec3> points = prepare(mesh);
+  EditLog log;
   ASSERT_FALSE(check::is_two_manifold(shapes::index_mesh(mesh)));
-  EXPECT_EQ(separate_double_edges({kNoGrid, {}, points}, mesh), 1u);
+  EXPECT_EQ(separate_double_edges({kNoGrid, {}, points}, mesh, log), 1u);
   check::expect_sound(mesh);
   const check::MeshCheck result = check::check_mesh(shapes::index_mesh(mesh));
   EXPECT_TRUE(result.two_manifold) << result.faults();
@@ -67,7 +68,8 @@ TEST(DoubleEdges, MultipleEdgesKeepOne) {
   for (Index disks = 2; disks <= 9; ++disks) {
     DualMesh mesh = shapes::beach_ball(disks);
     const std::vector<Vec3> points = prepare(mesh);
-    EXPECT_EQ(separate_double_edges({kNoGrid, {}, points}, mesh), disks - 1);
+    EditLog log;
+    EXPECT_EQ(separate_double_edges({kNoGrid, {}, points}, mesh, log), disks - 1);
     check::expect_sound(mesh);
     const check::MeshCheck result = check::check_mesh(shapes::index_mesh(mesh));
     EXPECT_TRUE(result.two_manifold) << disks << ": " << result.faults();
@@ -80,7 +82,8 @@ TEST(DoubleEdges, ARingOfManyNeighboursIsSearchedToo) {
   // More than a dozen neighbours, two of them the same.
   DualMesh mesh = shapes::beach_ball(20);
   const std::vector<Vec3> points = prepare(mesh);
-  EXPECT_EQ(separate_double_edges({kNoGrid, {}, points}, mesh), 19u);
+  EditLog log;
+  EXPECT_EQ(separate_double_edges({kNoGrid, {}, points}, mesh, log), 19u);
   EXPECT_TRUE(check::is_two_manifold(shapes::index_mesh(mesh)));
 }
 
@@ -89,13 +92,14 @@ TEST(DoubleEdges, BothTrianglesMayHaveTheSameThirdVertex) {
   // their third vertex in common, so the vertex put on it is doubly joined to that one in turn.
   DualMesh mesh = shapes::tight_torus(4, 2, 1);
   const std::vector<Vec3> points = prepare(mesh);
+  EditLog log;
   bool found = false;
   for (Index h = 0; h < mesh.vertex.size(); ++h) {
     found |=
         mesh.vertex[previous_in_triangle(h)] == mesh.vertex[previous_in_triangle(mesh.opposite[h])];
   }
   ASSERT_TRUE(found);
-  const Index inserted = separate_double_edges({kNoGrid, {}, points}, mesh);
+  const Index inserted = separate_double_edges({kNoGrid, {}, points}, mesh, log);
   EXPECT_GE(inserted, 6u) << "twelve edges, but four vertices have six pairs only";
   check::expect_sound(mesh);
   EXPECT_EQ(surplus_edges(mesh), 0u);
@@ -113,9 +117,10 @@ TEST(DoubleEdges, EveryTightTorusBecomesManifold) {
         SCOPED_TRACE(testing::Message() << n << ' ' << p << ' ' << q);
         DualMesh mesh = shapes::tight_torus(n, p, q);
         const std::vector<Vec3> points = prepare(mesh);
+        EditLog log;
         ASSERT_EQ(mesh.vertices(), n);
         const Index surplus = surplus_edges(mesh);
-        const Index inserted = separate_double_edges({kNoGrid, {}, points}, mesh);
+        const Index inserted = separate_double_edges({kNoGrid, {}, points}, mesh, log);
         EXPECT_GE(inserted, surplus);
         EXPECT_EQ(mesh.vertices(), n + inserted);
         EXPECT_EQ(mesh.triangles(), 2 * n + 2 * inserted);
@@ -137,8 +142,9 @@ TEST(DoubleEdges, WhatIsManifoldStaysAsItIs) {
        {shapes::dual_mesh(shapes::icosphere(1).triangles),
         shapes::dual_mesh(shapes::torus(1, 0.3, 6, 5).triangles), shapes::tight_torus(7, 1, 2)}) {
     const std::vector<Vec3> points = prepare(mesh);
+    EditLog log;
     const DualMesh before = mesh;
-    EXPECT_EQ(separate_double_edges({kNoGrid, {}, points}, mesh), 0u);
+    EXPECT_EQ(separate_double_edges({kNoGrid, {}, points}, mesh, log), 0u);
     EXPECT_EQ(mesh.vertex, before.vertex);
     EXPECT_EQ(mesh.opposite, before.opposite);
     EXPECT_EQ(mesh.hit, before.hit);
@@ -148,8 +154,9 @@ TEST(DoubleEdges, WhatIsManifoldStaysAsItIs) {
 TEST(DoubleEdges, AStripThatIsDividedIsNoLongerOne) {
   DualMesh mesh = shapes::beach_ball(2);
   const std::vector<Vec3> points = prepare(mesh);
+  EditLog log;
   mesh.strip = {1, 1, 1, 1};  // both edges 0-1 cross strips
-  separate_double_edges({kNoGrid, {}, points}, mesh);
+  separate_double_edges({kNoGrid, {}, points}, mesh, log);
   Index strips = 0;
   for (Index t = 0; t < mesh.triangles(); ++t) {
     for (Index i = 0; i < 3; ++i) {

@@ -72,6 +72,7 @@ struct Cones {
 
   LatticeBox box;
   DualMesh mesh;
+  EditLog log;
   std::vector<Index> loops;
   std::vector<Index> inner;
 
@@ -88,7 +89,7 @@ TEST(DrawInwards, KeepsAllApart) {
     check::expect_sound(cones.mesh);
     const Index triangles = cones.mesh.triangles();
     before += find_self_intersections(cones.within(triangles)).pairs;
-    ASSERT_TRUE(draw_inwards(cones.box, cones.loops, cones.mesh));
+    ASSERT_TRUE(draw_inwards(cones.box, cones.loops, cones.mesh, cones.log));
     check::expect_sound(cones.mesh);
     const Mesh surface = cones.within(triangles);
     EXPECT_TRUE(check::is_manifold(surface));
@@ -110,7 +111,7 @@ TEST(DrawInwards, NeedsRoom) {
   Cones cones(input);
   cones.box.hi[2] = cones.box.lo[2] + 8;
   const Index triangles = cones.mesh.triangles();
-  EXPECT_FALSE(draw_inwards(cones.box, cones.loops, cones.mesh));
+  EXPECT_FALSE(draw_inwards(cones.box, cones.loops, cones.mesh, cones.log));
   EXPECT_EQ(cones.mesh.triangles(), triangles);
 }
 

@@ -137,11 +137,12 @@ TEST(Embed, LinksApartKeepEachTriangleInItsLeaf) {
     const GridView view{grid, boxes, points};
     DualMesh dual = dual_mesh_of(grid);
     find_loops(grid, dual);
-    place_vertices(view, {}, VertexPosition::kConstrained, dual);
+    place_vertices(view, {}, dual);
+    EditLog log;
     EmbedLevels levels;
     levels.hits.assign(grid.hits.size(), EmbedLevel::kLinksApart);
     levels.loops.assign(dual.vertices(), EmbedLevel::kLinksApart);
-    refine(view, levels, 1e9, dual);
+    refine(view, levels, 1e9, dual, log);
     check::expect_sound(dual);
     for (Index t = 0; t < dual.triangles(); ++t) {
       int loops = 0;

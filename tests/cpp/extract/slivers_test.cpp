@@ -48,7 +48,7 @@ struct Placed {
         mesh(dual_mesh_of(grid)) {
     drop_pillows(mesh);
     find_loops(grid, mesh);
-    place_vertices(view(), {}, VertexPosition::kConstrained, mesh);
+    place_vertices(view(), {}, mesh);
   }
 
   GridView view() const { return {grid, boxes, points}; }

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "extract/mend/double_edges.h"
+#include "extract/place/place.h"
 #include "kdmanifold/build.h"
 #include "kdmanifold/error.h"
 #include "kdmanifold/extract.h"
@@ -37,7 +38,8 @@ struct Fan {
   GridData grid;
   DualMesh mesh;
   std::vector<Vec3> points;
-  std::vector<Index> off;  // the vertices to be split
+  EditLog log;
+  std::vector<LoopId> missed;  // the vertices to be split
   std::vector<LatticeBox> boxes{{{0, 0, 0}, {kSize, kSize, kSize}}};
 
   GridView view() const { return {grid, boxes, points}; }
@@ -59,7 +61,7 @@ struct Fan {
     // Vertices were numbered as leaves; each gets a box of its own number.
     boxes.assign(n + 2, boxes[0]);
     find_loops(grid, mesh);
-    off = place_vertices(view(), kError, VertexPosition::kConstrained, mesh);
+    missed = place_vertices(view(), {.split_error = kError}, mesh);
   }
 };
 
@@ -72,13 +74,13 @@ TEST(SplitVertices, EveryRingOfUpToSixPolygonsStaysASphere) {
       const auto loops = fan.mesh.vertices();
       const Index triangles = fan.mesh.triangles();
       const Index added =
-          split_vertices(fan.view(), kError, VertexPosition::kConstrained, fan.off, fan.mesh);
+          split_vertices(fan.view(), {.split_error = kError}, fan.mesh, fan.log, fan.missed);
       ASSERT_EQ(fan.mesh.vertices(), loops + added);
       ASSERT_EQ(fan.mesh.triangles(), triangles + 2 * added);
       ASSERT_EQ(fan.mesh.position.size(), fan.mesh.vertices());
       ASSERT_EQ(fan.mesh.leaf.size(), fan.mesh.vertices());
       check::expect_sound(fan.mesh);
-      separate_double_edges(fan.view(), fan.mesh);
+      separate_double_edges(fan.view(), fan.mesh, fan.log);
       const check::MeshCheck result = check::check_mesh(shapes::index_mesh(fan.mesh));
       ASSERT_TRUE(result.two_manifold) << testing::PrintToString(ring) << result.faults();
       ASSERT_EQ(result.euler_characteristic, 2);

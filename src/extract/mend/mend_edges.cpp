@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Double edges first: flips make none.
+#include "extract/mend/mend_edges.h"
+
+#include "extract/mend/double_edges.h"
+#include "extract/mend/unfold.h"
+
+namespace kdm {
+namespace {
+
+// The numbers, then those from `first` up to `end`.
+std::vector<Index> with_new(std::vector<Index> numbers, Index first, Index end) {
+  for (Index i = first; i < end; ++i) numbers.push_back(i);
+  return numbers;
+}
+
+}  // namespace
+
+void mend_edges(const GridView& view, const FaceSettings& settings, const EmbedLevels& levels,
+                DualMesh& mesh, EditLog& log) {
+  if (settings.two_manifold) separate_double_edges(view, mesh, log);
+  if (settings.unfold && !settings.quads) unfold(view, levels, mesh, log);
+}
+
+void mend_edges(const GridView& view, const FaceSettings& settings, const EmbedLevels& levels,
+                DualMesh& mesh, EditLog& log, const RemadePart& part) {
+  if (settings.two_manifold) {
+    const std::vector<VertexId> vertices = with_new(part.loops, part.first_vertex, mesh.vertices());
+    separate_double_edges(view, mesh, log, vertices);
+  }
+  if (!settings.unfold || settings.quads) return;
+  std::vector<TriangleId> triangles = part.hits;  // a triangle has the number of its hit
+  triangles.insert(triangles.end(), log.touched_hits().begin(), log.touched_hits().end());
+  triangles = with_new(std::move(triangles), part.first_triangle, mesh.triangles());
+  unfold(view, levels, mesh, log, triangles);
+}
+
+}  // namespace kdm

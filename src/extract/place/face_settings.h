@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// What faces are wanted.
+#pragma once
+
+#include <limits>
+
+#include "kdmanifold/extract.h"
+
+namespace kdm {
+
+/// How far a vertex may lie from the plane of one of its hits: the larger of the two.
+struct SplitError {
+  double distance = std::numeric_limits<double>::infinity();  ///< lattice units
+  double of_hits = 0;  ///< fraction of the distance to the furthest of its hits
+};
+
+/// The options of extraction that the passes from loops to faces need, in lattice units.
+struct FaceSettings {
+  SplitError split_error;
+  double link_error = 0;  ///< how far an edge may pass from the surface between two leaves
+  VertexPosition position = VertexPosition::kConstrained;
+  bool quads = false;        ///< pairs of triangles become quads: nothing is refined or flipped
+  bool two_manifold = true;  ///< doubled edges are separated
+  bool unfold = true;        ///< folded and thin triangles are flipped
+};
+
+}  // namespace kdm
