@@ -28,12 +28,9 @@ enum class EdgeOwner : std::uint8_t {
 
 /// One side of a minimal face: a range of hits of one splitting edge.
 struct FaceEdge {
-  Index begin = 0;
-  Index end = 0;
+  HitRange hits;
   std::uint8_t slot = 0;  ///< of the half-edges that cross this face
   EdgeOwner owner = EdgeOwner::kFace;
-
-  Index size() const { return end - begin; }
 };
 
 struct MinimalFace {
@@ -51,7 +48,8 @@ struct MinimalFace {
   std::int32_t hi(int i) const { return hi_key[i] >> 1; }
   bool strip() const { return lo(0) == hi(0) || lo(1) == hi(1); }
   Index hit_count() const {
-    return edges[0].size() + edges[1].size() + edges[2].size() + edges[3].size();
+    return edges[0].hits.size() + edges[1].hits.size() + edges[2].hits.size() +
+           edges[3].hits.size();
   }
 };
 
@@ -69,23 +67,24 @@ template <typename Visit>
 void for_each_hit(const MinimalFace& face, Visit&& visit) {
   for (int side = 0; side < 4; ++side) {
     const FaceEdge& edge = face.edges[side];
-    for (Index i = 0; i < edge.size(); ++i) {
-      visit(edge, side < 2 ? edge.begin + i : edge.end - 1 - i, side);
+    for (Index i = 0; i < edge.hits.size(); ++i) {
+      visit(edge, side < 2 ? edge.hits.first + i : edge.hits.beyond - 1 - i, side);
     }
   }
 }
 
-/// First hit in [begin, end) that lies above lattice plane `value`.
-inline Index first_above(const std::vector<Hit>& hits, Index begin, Index end, std::int32_t value) {
-  constexpr Index kShort = 8;
-  if (end - begin <= kShort) {
-    while (begin < end && floor_of(hits[begin].position) < value) ++begin;
-    return begin;
+/// Finds the first hit of the range that lies above the lattice plane at `value`; `beyond` if none
+/// does. Takes logarithmic time.
+inline HitId first_above(const std::vector<Hit>& hits, HitRange range, std::int32_t value) {
+  constexpr Index kShort = 8;  // hits that are looked at one by one sooner than by bisection
+  if (range.size() <= kShort) {
+    while (!range.empty() && floor_of(hits[range.first].position) < value) ++range.first;
+    return range.first;
   }
   const auto first =
-      std::partition_point(hits.begin() + begin, hits.begin() + end,
+      std::partition_point(hits.begin() + range.first, hits.begin() + range.beyond,
                            [value](const Hit& hit) { return floor_of(hit.position) < value; });
-  return static_cast<Index>(first - hits.begin());
+  return static_cast<HitId>(first - hits.begin());
 }
 
 /// Calls `visit(const MinimalFace&)` for every minimal face with a hit on one of its sides.
@@ -106,9 +105,8 @@ class FaceWalk {
     const int v = previous_axis(face.axis);
     face.lo_key = {2 * box.lo[u], 2 * box.lo[v]};
     face.hi_key = {2 * box.hi[u], 2 * box.hi[v]};
-    for (Index i = 0; i < 4; ++i) {
-      face.edges[i] = {grid_.edge_begin[4 * cell.split() + i],
-                       grid_.edge_begin[4 * cell.split() + i + 1], 0, EdgeOwner::kFace};
+    for (int i = 0; i < 4; ++i) {
+      face.edges[i] = {grid_.edge_hits(cell.split(), i), 0, EdgeOwner::kFace};
     }
     face.below = cell.below();
     face.above = cell.above();
@@ -160,26 +158,22 @@ class FaceWalk {
     second.lo_key[i] = key;
     // Sides 0 and 2 run along u (direction 0), sides 1 and 3 along v.
     for (int side = i; side < 4; side += 2) {
-      const FaceEdge& whole = second.edges[side];
-      const Index cut = first_above(grid_.hits, whole.begin, whole.end, cell.value());
-      first.edges[side].end = cut;
-      second.edges[side].begin = cut;
+      const HitId cut = first_above(grid_.hits, second.edges[side].hits, cell.value());
+      first.edges[side].hits.beyond = cut;
+      second.edges[side].hits.first = cut;
     }
-    const Index edge =
-        4 * cell.split() + static_cast<Index>(edge_on_side(cell.axis(), first.axis, lower));
+    HitRange hits = grid_.edge_hits(cell.split(), edge_on_side(cell.axis(), first.axis, lower));
     const int other = 1 - i;
-    Index begin = grid_.edge_begin[edge];
-    Index end = grid_.edge_begin[edge + 1];
-    if (begin != end) {
-      begin = first_above(grid_.hits, begin, end, first.lo(other));
-      end = first_above(grid_.hits, begin, end, first.hi(other));
+    if (!hits.empty()) {
+      hits.first = first_above(grid_.hits, hits, first.lo(other));
+      hits.beyond = first_above(grid_.hits, hits, first.hi(other));
     }
     const EdgeOwner owner = lower ? EdgeOwner::kBelow : EdgeOwner::kAbove;
     // The new side is the high end of `first` (it sees child V0) and the low end of `second`.
     const int high_side = i == 0 ? 1 : 2;
     const int low_side = i == 0 ? 3 : 0;
-    first.edges[high_side] = {begin, end, 1, owner};
-    second.edges[low_side] = {begin, end, 2, owner};
+    first.edges[high_side] = {hits, 1, owner};
+    second.edges[low_side] = {hits, 2, owner};
   }
 
   const GridData& grid_;

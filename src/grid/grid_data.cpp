@@ -52,10 +52,9 @@ void mark_active_sides(GridData& grid) {
         if (axis == cell.axis()) {
           active = (high ? above : below).active(axis, high);
         } else {
-          const Index edge =
-              4 * cell.split() + static_cast<Index>(edge_on_side(cell.axis(), axis, high));
+          const int i = edge_on_side(cell.axis(), axis, high);
           active = below.active(axis, high) || above.active(axis, high) ||
-                   grid.edge_begin[edge] != grid.edge_begin[edge + 1];
+                   !grid.edge_hits(cell.split(), i).empty();
         }
         if (active) cell.set_active(axis, high);
       }

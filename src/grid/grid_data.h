@@ -2,17 +2,30 @@
 // The kd-tree grid as flat arrays (paper 3.2), and the numbering that everything else refers to.
 //
 // Cells. Split k cuts one cell in two and makes cells 2k+1 (below) and 2k+2 (above); cell 0 is the
-// root. A split along axis w adds a splitting face; with u, v the axes after w (u = w+1, v = w+2
-// cyclically), its four splitting edges are 4k+i, i counting round the face:
+// root. A split along axis w adds a splitting face, the rectangle that the plane has in common with
+// the cell. With u and v the axes after w (u = w+1, v = w+2, cyclically), its four splitting edges
+// are 4k+i, i counting round the face, counter-clockwise as seen from above:
 //
-//        v          2                Each grid edge is part of exactly one splitting edge or of the
-//        ^    +-----------+          root, whose edges are never hit. Where two cells are split at
-//        |    |           |          the same value beside each other, two splitting edges
-//        coincide; |  3 |     w     | 1        the split below the common plane then counts as
-//        lying |    |           |          infinitely little below the other (see faces.h). |
-//        +-----------+ |          0                Hits of an edge are consecutive and ascend along
-//        it.
-//        +-------------------> u
+// clang-format off
+//
+//      v                  2 (top)
+//      ^             +---------------+
+//      |             |               |
+//      |    3 (left) |       w       | 1 (right)       w points at the reader
+//      |             |               |
+//      |             +---------------+
+//      |                 0 (bottom)
+//      +-------------------------------> u
+//
+// clang-format on
+//
+// Every grid edge is part of exactly one splitting edge or of an edge of the root, which is never
+// hit. The hits of an edge are consecutive and ascend along it.
+//
+// Strips. Where two cells beside each other are split at the same value, two splitting edges
+// coincide, one from either side of the plane between the cells. The split below that plane counts
+// as lying infinitely little below the one above it; so a minimal face without width, a strip, lies
+// between the two edges, whose hits are the same and are linked one to one across it (see faces.h).
 //
 // Half-edges. Around hit h lie three leaves: one in each child of its split, V0 and V1, and one
 // beyond the side plane, VN. The hit is a triangle of these three, and its half-edges cross
@@ -28,6 +41,7 @@
 #include "geometry/lattice.h"
 #include "geometry/plane.h"
 #include "geometry/predicates.h"
+#include "grid/hit_range.h"
 #include "kdmanifold/grid.h"
 
 namespace kdm {
@@ -97,6 +111,9 @@ struct KeptCorner {
   Vec3 point;       ///< lattice coordinates
 };
 
+/// Number of splitting edge `i` (0 to 3) of a split.
+constexpr EdgeId edge_of_split(SplitId split, int i) { return 4 * split + static_cast<EdgeId>(i); }
+
 struct GridData {
   Lattice lattice;
   double tolerance = 0;           ///< asked for, in lattice units; never 0 in a built grid
@@ -119,6 +136,9 @@ struct GridData {
   static constexpr std::uint32_t kStrip = 1u << 31;
   Index start_leaf(Index half_edge) const { return start[half_edge] & ~kStrip; }
   bool crosses_strip(Index half_edge) const { return (start[half_edge] & kStrip) != 0; }
+  HitRange edge_hits(EdgeId edge) const { return {edge_begin[edge], edge_begin[edge + 1]}; }
+  /// Hits of splitting edge `i` (0 to 3) of a split.
+  HitRange edge_hits(SplitId split, int i) const { return edge_hits(edge_of_split(split, i)); }
   const Plane& plane_of(Index hit) const { return planes[hits[hit].plane()]; }
   /// Of no input face, but where a hole was closed.
   bool invented(Index hit) const { return source_faces[hits[hit].plane()] == kNone; }

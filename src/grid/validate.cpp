@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "grid/faces.h"
+#include "grid/splitting_edges.h"
 #include "kdmanifold/error.h"
 
 namespace kdm {
@@ -55,32 +56,26 @@ void validate_edges(const GridData& grid, const std::vector<LatticeBox>& boxes) 
   require(grid.edge_begin.size() == 4 * std::size_t{grid.splits()} + 1 && grid.edge_begin[0] == 0 &&
               grid.edge_begin.back() == grid.hits.size(),
           "splitting edges cover all hits", grid.edge_begin.size());
-  for (std::size_t c = 0; c < grid.cells.size(); ++c) {
-    const Cell& cell = grid.cells[c];
-    if (cell.leaf()) continue;
-    for (int i = 0; i < 4; ++i) {
-      const Index edge = 4 * cell.split() + static_cast<Index>(i);
-      require(grid.edge_begin[edge] <= grid.edge_begin[edge + 1] &&
-                  grid.edge_begin[edge + 1] <= grid.hits.size(),
-              "edges' hits are in order", edge);
-      const int axis = axis_of_edge(cell.axis(), i);
-      for (Index h = grid.edge_begin[edge]; h < grid.edge_begin[edge + 1]; ++h) {
-        const Hit& hit = grid.hits[h];
-        require(floor_of(hit.position) >= boxes[c].lo[axis] &&
-                    floor_of(hit.position) < boxes[c].hi[axis],
-                "a hit lies on its edge", h);
-        require(hit.reversed() == reversed_on_edge(i, hit.leaving()), "a hit is turned rightly", h);
-        require(hit.plane() < grid.planes.size(), "a hit has a plane", h);
-        if (h == grid.edge_begin[edge]) continue;
-        if (grid.sheet) {  // two-sided walls and crossing sheets may be hit at one position
-          require(grid.hits[h - 1].position <= hit.position, "hits ascend along an edge", h);
-          continue;
-        }
-        require(grid.hits[h - 1].position < hit.position, "hits ascend along an edge", h);
-        require(grid.hits[h - 1].leaving() != hit.leaving(), "hits alternate along an edge", h);
+  for_each_splitting_edge(grid, boxes, [&](const SplittingEdge& edge) {
+    require(edge.hits.first <= edge.hits.beyond && edge.hits.beyond <= grid.hits.size(),
+            "edges' hits are in order", edge.number);
+    for (const HitId h : edge.hits) {
+      const Hit& hit = grid.hits[h];
+      require(floor_of(hit.position) >= edge.box.lo[edge.axis] &&
+                  floor_of(hit.position) < edge.box.hi[edge.axis],
+              "a hit lies on its edge", h);
+      require(hit.reversed() == reversed_on_edge(edge.i, hit.leaving()), "a hit is turned rightly",
+              h);
+      require(hit.plane() < grid.planes.size(), "a hit has a plane", h);
+      if (h == edge.hits.first) continue;
+      if (grid.sheet) {  // two-sided walls and crossing sheets may be hit at one position
+        require(grid.hits[h - 1].position <= hit.position, "hits ascend along an edge", h);
+        continue;
       }
+      require(grid.hits[h - 1].position < hit.position, "hits ascend along an edge", h);
+      require(grid.hits[h - 1].leaving() != hit.leaving(), "hits alternate along an edge", h);
     }
-  }
+  });
 }
 
 void validate_planes(const GridData& grid) {

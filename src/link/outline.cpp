@@ -21,10 +21,10 @@ void link_strip(const MinimalFace& face, GridData& grid) {
   const int first = face.lo(0) == face.hi(0) ? 1 : 0;
   const FaceEdge& a = face.edges[first];
   const FaceEdge& b = face.edges[first + 2];
-  KDM_ASSERT(a.size() == b.size(), "the long sides of a strip carry the same hits");
-  for (Index i = 0; i < a.size(); ++i) {
-    link(face, outline_hit(grid, a, a.begin + i, first),
-         outline_hit(grid, b, b.begin + i, first + 2), grid);
+  KDM_ASSERT(a.hits.size() == b.hits.size(), "the long sides of a strip carry the same hits");
+  for (Index i = 0; i < a.hits.size(); ++i) {
+    link(face, outline_hit(grid, a, a.hits.first + i, first),
+         outline_hit(grid, b, b.hits.first + i, first + 2), grid);
   }
 }
 

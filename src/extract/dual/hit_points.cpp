@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "extract/dual/grid_view.h"
+#include "grid/splitting_edges.h"
 
 namespace kdm {
 namespace {
@@ -39,8 +40,10 @@ Stretch stretch_round(const GridData& grid, std::span<const LatticeBox> boxes, I
 }
 
 // Hits of one edge that lie close together or at a grid vertex.
-void keep_apart(const GridData& grid, std::span<const LatticeBox> boxes, Index begin, Index end,
-                int axis, std::vector<Vec3>& points) {
+void keep_apart(const GridData& grid, std::span<const LatticeBox> boxes, HitRange hits, int axis,
+                std::vector<Vec3>& points) {
+  const HitId begin = hits.first;
+  const HitId end = hits.beyond;
   const auto at = [&](Index h) -> double& { return points[h][axis]; };
   const auto tight = [&](Index h) {
     constexpr double kNear = 1.0 / 8;
@@ -77,27 +80,14 @@ void keep_apart(const GridData& grid, std::span<const LatticeBox> boxes, Index b
 
 std::vector<Vec3> hit_points(const GridData& grid, std::span<const LatticeBox> boxes, bool apart) {
   std::vector<Vec3> points(grid.hits.size());
-  for (std::size_t c = 0; c < grid.cells.size(); ++c) {
-    const Cell& cell = grid.cells[c];
-    if (cell.leaf()) continue;
-    const int u = next_axis(cell.axis());
-    const int v = previous_axis(cell.axis());
-    for (int i = 0; i < 4; ++i) {
-      const Index edge = 4 * cell.split() + static_cast<Index>(i);
-      Vec3 point;
-      point[cell.axis()] = cell.value();
-      point[u] = i == 1 ? boxes[c].hi[u] : boxes[c].lo[u];
-      point[v] = i == 2 ? boxes[c].hi[v] : boxes[c].lo[v];
-      for (Index h = grid.edge_begin[edge]; h < grid.edge_begin[edge + 1]; ++h) {
-        point[axis_of_edge(cell.axis(), i)] = real_position(grid.hits[h].position);
-        points[h] = point;
-      }
-      if (apart) {
-        keep_apart(grid, boxes, grid.edge_begin[edge], grid.edge_begin[edge + 1],
-                   axis_of_edge(cell.axis(), i), points);
-      }
+  for_each_splitting_edge(grid, boxes, [&](const SplittingEdge& edge) {
+    Vec3 point = real(edge.low());
+    for (const HitId h : edge.hits) {
+      point[edge.axis] = real_position(grid.hits[h].position);
+      points[h] = point;
     }
-  }
+    if (apart) keep_apart(grid, boxes, edge.hits, edge.axis, points);
+  });
   return points;
 }
 

@@ -106,9 +106,10 @@ class LinkReader {
     const std::size_t first = face.lo(0) == face.hi(0) ? 1 : 0;
     const FaceEdge& a = face.edges[first];
     const FaceEdge& b = face.edges[first + 2];
-    if (a.size() != b.size()) bytes_.fail("the long sides of a strip carry different hits");
-    for (Index i = 0; i < a.size(); ++i) {
-      link(face, end_of(a, a.begin + i), end_of(b, b.begin + i), GridData::kStrip);
+    if (a.hits.size() != b.hits.size())
+      bytes_.fail("the long sides of a strip carry different hits");
+    for (Index i = 0; i < a.hits.size(); ++i) {
+      link(face, end_of(a, a.hits.first + i), end_of(b, b.hits.first + i), GridData::kStrip);
     }
   }
 

@@ -11,6 +11,7 @@
 #include "grid/saved/grid_format.h"
 #include "grid/saved/link_reader.h"
 #include "grid/saved/read_numbers.h"
+#include "grid/splitting_edges.h"
 #include "grid/validate.h"
 #include "io/bytes.h"
 #include "kdmanifold/error.h"
@@ -37,7 +38,7 @@ class GridReader {
     bytes_.require(hits, 2, "hit");
     read_cells(static_cast<Index>(splits));
     read_edges(static_cast<Index>(splits), hits);
-    read_hits(static_cast<Index>(splits));
+    read_hits();
     grid_.planes.shrink_to_fit();
     grid_.source_faces.shrink_to_fit();
     mark_active_sides(grid_);
@@ -96,7 +97,6 @@ class GridReader {
     std::vector<Index> pending;
     grid_.cells.assign(cells, Cell());
     boxes_.assign(cells, LatticeBox());
-    cell_of_split_.reserve(splits);
     const auto expect_split = [&](Index cell) {
       state[cell] = kPending;
       pending.push_back(cell);
@@ -122,8 +122,8 @@ class GridReader {
       if (value <= box.lo[axis] || value >= box.hi[axis]) {
         bytes_.fail("a split lies outside of its cell");
       }
-      add_split(c, axis, static_cast<std::int32_t>(value));
-      const Index below = 2 * k + 1;
+      const CellId below = 2 * k + 1;
+      add_split(c, below, axis, static_cast<std::int32_t>(value));
       depth[below] = depth[below + 1] = static_cast<std::uint8_t>(depth[c] + 1);
       if (depth[below] > kMaxDepth) bytes_.fail("a cell lies too deep");
       grid_.stats.depth = std::max<int>(grid_.stats.depth, depth[below]);
@@ -135,13 +135,11 @@ class GridReader {
     }
   }
 
-  void add_split(Index c, int axis, std::int32_t value) {
-    const auto below = static_cast<Index>(2 * cell_of_split_.size() + 1);
+  void add_split(CellId c, CellId below, int axis, std::int32_t value) {
     grid_.cells[c] = Cell(below, axis, value);
     boxes_[below] = boxes_[below + 1] = boxes_[c];
     boxes_[below].hi[axis] = value;
     boxes_[below + 1].lo[axis] = value;
-    cell_of_split_.push_back(c);
   }
 
   void read_edges(Index splits, std::uint64_t hits) {
@@ -165,24 +163,18 @@ class GridReader {
     grid_.hits.reserve(static_cast<std::size_t>(hits));
   }
 
-  void read_hits(Index splits) {
-    for (Index edge = 0; edge < 4 * splits; ++edge) {
-      const Index begin = grid_.edge_begin[edge];
-      const Index end = grid_.edge_begin[edge + 1];
-      if (begin == end) continue;
-      const Index c = cell_of_split_[edge / 4];
-      const auto i = static_cast<int>(edge % 4);
-      const int axis = axis_of_edge(grid_.cells[c].axis(), i);
-      auto lowest = static_cast<std::uint64_t>(boxes_[c].lo[axis]) << kFractionBits;
-      const auto beyond = static_cast<std::uint64_t>(boxes_[c].hi[axis]) << kFractionBits;
+  void read_hits() {
+    for_each_splitting_edge(grid_, boxes_, [&](const SplittingEdge& edge) {
+      auto lowest = static_cast<std::uint64_t>(edge.box.lo[edge.axis]) << kFractionBits;
+      const auto beyond = static_cast<std::uint64_t>(edge.box.hi[edge.axis]) << kFractionBits;
       bool leaving = false;
-      for (Index h = begin; h < end; ++h) {
+      for (const HitId h : edge.hits) {
         if (lowest >= beyond) bytes_.fail("an edge has no room for its hits");
         const std::uint64_t position =
             lowest + bytes_.take_varint(beyond - lowest - 1, "the position of a hit");
         lowest = position + (grid_.sheet ? 0 : 1);
         const std::uint64_t met = grid_.planes.size();
-        const bool directed = grid_.sheet || h == begin;
+        const bool directed = grid_.sheet || h == edge.hits.first;
         std::uint64_t back = bytes_.take_varint(directed ? 2 * met + 1 : met, "a hit's plane");
         if (directed) {
           leaving = (back & 1) != 0;
@@ -193,9 +185,9 @@ class GridReader {
         if (back == 0) read_plane();
         const std::uint64_t plane = back == 0 ? met : met - back;
         grid_.hits.push_back(Hit(static_cast<LinePosition>(position), static_cast<Index>(plane),
-                                 leaving, reversed_on_edge(i, leaving)));
+                                 leaving, reversed_on_edge(edge.i, leaving)));
       }
-    }
+    });
   }
 
   void read_plane() {
@@ -230,7 +222,6 @@ class GridReader {
   ByteReader& bytes_;
   GridData& grid_;
   std::vector<LatticeBox> boxes_;
-  std::vector<Index> cell_of_split_;
   std::int64_t source_before_ = 0;
 };
 

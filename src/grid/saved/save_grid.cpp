@@ -8,6 +8,7 @@
 #include "grid/faces.h"
 #include "grid/saved/grid_format.h"
 #include "grid/saved/sheet_links.h"
+#include "grid/splitting_edges.h"
 #include "io/bytes.h"
 #include "kdmanifold/error.h"
 #include "kdmanifold/grid_io.h"
@@ -19,12 +20,7 @@ namespace format = grid_format;
 
 class GridWriter {
  public:
-  explicit GridWriter(const GridData& grid)
-      : grid_(grid), boxes_(cell_boxes(grid)), cell_of_split_(grid.splits()) {
-    for (std::size_t c = 0; c < grid.cells.size(); ++c) {
-      if (!grid.cells[c].leaf()) cell_of_split_[grid.cells[c].split()] = static_cast<Index>(c);
-    }
-  }
+  explicit GridWriter(const GridData& grid) : grid_(grid), boxes_(cell_boxes(grid)) {}
 
   std::string payload() {
     write_lattice();
@@ -70,7 +66,7 @@ class GridWriter {
   void write_cells() {
     std::vector<char> done(grid_.cells.size(), 0);
     std::vector<Index> pending{0};
-    for (const Index c : cell_of_split_) {
+    for (const CellId c : cells_of_splits(grid_)) {
       while (done[pending.back()] != 0) pending.pop_back();
       const bool stray = pending.back() != c;
       done[c] = 1;
@@ -89,17 +85,15 @@ class GridWriter {
     }
   }
 
-  Index hits_on(Index edge) const { return grid_.edge_begin[edge + 1] - grid_.edge_begin[edge]; }
-
   void write_edges() {
-    for (Index k = 0; k < grid_.splits(); ++k) {
+    for (SplitId k = 0; k < grid_.splits(); ++k) {
       unsigned packed = 0;
-      for (Index i = 0; i < 4; ++i) {
-        packed |= std::min(hits_on(4 * k + i), format::kManyHits) << (2 * i);
+      for (int i = 0; i < 4; ++i) {
+        packed |= std::min(grid_.edge_hits(k, i).size(), format::kManyHits) << (2 * i);
       }
       append_u8(out_, static_cast<std::uint8_t>(packed));
-      for (Index i = 0; i < 4; ++i) {
-        const Index count = hits_on(4 * k + i);
+      for (int i = 0; i < 4; ++i) {
+        const Index count = grid_.edge_hits(k, i).size();
         if (count >= format::kManyHits) append_varint(out_, count - format::kManyHits);
       }
     }
@@ -108,17 +102,15 @@ class GridWriter {
   void write_hits() {
     Index met = 0;
     Index source_before = 0;
-    for (Index edge = 0; edge < 4 * grid_.splits(); ++edge) {
-      const Index c = cell_of_split_[edge / 4];
-      const int axis = axis_of_edge(grid_.cells[c].axis(), static_cast<int>(edge % 4));
-      std::uint64_t lowest = static_cast<std::uint64_t>(boxes_[c].lo[axis]) << kFractionBits;
-      for (Index h = grid_.edge_begin[edge]; h < grid_.edge_begin[edge + 1]; ++h) {
+    for_each_splitting_edge(grid_, boxes_, [&](const SplittingEdge& edge) {
+      auto lowest = static_cast<std::uint64_t>(edge.box.lo[edge.axis]) << kFractionBits;
+      for (const HitId h : edge.hits) {
         const Hit& hit = grid_.hits[h];
         append_varint(out_, hit.position - lowest);
         lowest = std::uint64_t{hit.position} + (grid_.sheet ? 0 : 1);
         KDM_ASSERT(hit.plane() <= met, "planes come in the order of their first hits");
         const std::uint64_t back = met - hit.plane();
-        const bool directed = grid_.sheet || h == grid_.edge_begin[edge];
+        const bool directed = grid_.sheet || h == edge.hits.first;
         append_varint(out_, directed ? 2 * back + (hit.leaving() ? 1 : 0) : back);
         if (back > 0) continue;
         write_plane(grid_.planes[met]);
@@ -126,7 +118,7 @@ class GridWriter {
         append_varint(out_, format::from_signed(std::int64_t{source} - source_before));
         source_before = source;
       }
-    }
+    });
   }
 
   void write_plane(const Plane& plane) {
@@ -205,7 +197,6 @@ class GridWriter {
 
   const GridData& grid_;
   std::vector<LatticeBox> boxes_;
-  std::vector<Index> cell_of_split_;
   std::string out_;
   // Of the face at hand: its half-edges in order, and which start below it.
   std::vector<Index> outline_;

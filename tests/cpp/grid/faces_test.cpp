@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The walk over minimal faces against their definition: overlaps of two leaves' sides.
 #include "grid/faces.h"
+#include "grid/splitting_edges.h"
 
 #include <gtest/gtest.h>
 
@@ -52,7 +53,7 @@ TEST(Faces, EveryHalfEdgeCrossesExactlyOne) {
     for_each_face(grid, cell_boxes(grid), [&](const MinimalFace& face) {
       Index hits = 0;
       for (const FaceEdge& edge : face.edges) {
-        for (Index h = edge.begin; h < edge.end; ++h) {
+        for (const HitId h : edge.hits) {
           ++visits[3 * h + edge.slot];
           ++hits;
         }
@@ -84,7 +85,7 @@ TEST(Faces, AFaceIsTheOverlapOfItsLeaves) {
       for (int side = 0; side < 4; ++side) {
         const int along = side % 2;  // sides 0 and 2 run along u
         const FaceEdge& edge = face.edges[side];
-        for (Index h = edge.begin; h < edge.end; ++h) {
+        for (const HitId h : edge.hits) {
           const std::int32_t position = floor_of(grid.hits[h].position);
           wrong += position >= face.lo(along) && position < face.hi(along) ? 0 : 1;
         }
@@ -100,23 +101,17 @@ using Place = std::array<LinePosition, 3>;
 std::map<std::pair<int, Place>, int> places_of_hits(const GridData& grid,
                                                     const std::vector<LatticeBox>& boxes) {
   std::map<std::pair<int, Place>, int> places;
-  for (std::size_t c = 0; c < grid.cells.size(); ++c) {
-    const Cell& cell = grid.cells[c];
-    if (cell.leaf()) continue;
-    for (int i = 0; i < 4; ++i) {
-      const int axis = axis_of_edge(cell.axis(), i);
-      const int side = 3 - axis - cell.axis();
-      const bool high = i == 1 || i == 2;
-      const Index edge = 4 * cell.split() + static_cast<Index>(i);
-      for (Index h = grid.edge_begin[edge]; h < grid.edge_begin[edge + 1]; ++h) {
-        Place place{};
-        place[axis] = grid.hits[h].position;
-        place[cell.axis()] = static_cast<LinePosition>(cell.value());
-        place[side] = static_cast<LinePosition>(high ? boxes[c].hi[side] : boxes[c].lo[side]);
-        ++places[{axis, place}];
-      }
+  for_each_splitting_edge(grid, boxes, [&](const SplittingEdge& edge) {
+    const int side = 3 - edge.axis - edge.split.axis();
+    const bool high = edge.i == 1 || edge.i == 2;
+    for (const HitId h : edge.hits) {
+      Place place{};
+      place[edge.axis] = grid.hits[h].position;
+      place[edge.split.axis()] = static_cast<LinePosition>(edge.split.value());
+      place[side] = static_cast<LinePosition>(high ? edge.box.hi[side] : edge.box.lo[side]);
+      ++places[{edge.axis, place}];
     }
-  }
+  });
   return places;
 }
 
@@ -191,16 +186,16 @@ TEST(Faces, UniformGridsHaveAStripForEveryHit) {
     if (!face.strip()) return;
     // Two coincident edges with the same hits, and no others.
     const int along = face.lo(0) == face.hi(0) ? 1 : 0;
-    EXPECT_EQ(face.edges[1 - along].size() + face.edges[3 - along].size(), 0u);
+    EXPECT_EQ(face.edges[1 - along].hits.size() + face.edges[3 - along].hits.size(), 0u);
     const FaceEdge& one = face.edges[along];
     const FaceEdge& other = face.edges[along + 2];
     EXPECT_NE(one.owner, other.owner);
-    ASSERT_EQ(one.size(), other.size());
-    for (Index i = 0; i < one.size(); ++i) {
-      EXPECT_EQ(grid.hits[one.begin + i].position, grid.hits[other.begin + i].position);
-      EXPECT_EQ(grid.hits[one.begin + i].leaving(), grid.hits[other.begin + i].leaving());
-      ++strips[one.begin + i];
-      ++strips[other.begin + i];
+    ASSERT_EQ(one.hits.size(), other.hits.size());
+    for (Index i = 0; i < one.hits.size(); ++i) {
+      EXPECT_EQ(grid.hits[one.hits.first + i].position, grid.hits[other.hits.first + i].position);
+      EXPECT_EQ(grid.hits[one.hits.first + i].leaving(), grid.hits[other.hits.first + i].leaving());
+      ++strips[one.hits.first + i];
+      ++strips[other.hits.first + i];
     }
     // The leaves lie diagonally opposite: they share the edge only.
     const int k = along == 1 ? next_axis(face.axis) : previous_axis(face.axis);
@@ -222,8 +217,8 @@ TEST(Faces, AllHalfEdgesOfOneDirectionStartOnOneSide) {
       std::vector<std::pair<bool, bool>> outline;  // enters the solid, starts below
       for (int side = 0; side < 4; ++side) {
         const FaceEdge& edge = face.edges[side];
-        for (Index i = 0; i < edge.size(); ++i) {
-          const Hit& hit = grid.hits[side < 2 ? edge.begin + i : edge.end - 1 - i];
+        for (Index i = 0; i < edge.hits.size(); ++i) {
+          const Hit& hit = grid.hits[side < 2 ? edge.hits.first + i : edge.hits.beyond - 1 - i];
           outline.emplace_back(hit.leaving() != (side < 2), starts_below(edge, hit.reversed()));
         }
       }
@@ -247,7 +242,7 @@ TEST(FirstAbove, FindsTheCutInShortAndLongRanges) {
       for (std::int32_t value = 8; value < 33; ++value) {
         Index expected = begin;
         while (expected < end && floor_of(hits[expected].position) < value) ++expected;
-        ASSERT_EQ(first_above(hits, begin, end, value), expected);
+        ASSERT_EQ(first_above(hits, {begin, end}, value), expected);
       }
     }
   }

@@ -13,6 +13,7 @@
 #include <string>
 
 #include "grid/faces.h"
+#include "grid/splitting_edges.h"
 #include "kdmanifold/build.h"
 #include "kdmanifold/error.h"
 #include "support/paths.h"
@@ -61,8 +62,8 @@ Index last_split(const GridData& grid) {
 
 // An edge with at least `count` hits.
 Index edge_with(const GridData& grid, Index count) {
-  for (Index e = 0; e + 1 < grid.edge_begin.size(); ++e) {
-    if (grid.edge_begin[e + 1] - grid.edge_begin[e] >= count) return e;
+  for (EdgeId e = 0; e < 4 * grid.splits(); ++e) {
+    if (grid.edge_hits(e).size() >= count) return e;
   }
   throw std::logic_error("no such edge");
 }
@@ -70,17 +71,13 @@ Index edge_with(const GridData& grid, Index count) {
 // An edge with hits that reaches neither end of the lattice.
 Index inner_edge(const GridData& grid) {
   const std::vector<LatticeBox> boxes = cell_boxes(grid);
-  for (std::size_t c = 0; c < grid.cells.size(); ++c) {
-    const Cell& cell = grid.cells[c];
-    if (cell.leaf()) continue;
-    for (int i = 0; i < 4; ++i) {
-      const Index edge = 4 * cell.split() + static_cast<Index>(i);
-      const int axis = axis_of_edge(cell.axis(), i);
-      if (boxes[c].lo[axis] == 0 || boxes[c].hi[axis] == kLatticeSize) continue;
-      if (grid.edge_begin[edge] != grid.edge_begin[edge + 1]) return edge;
-    }
-  }
-  throw std::logic_error("no inner edge");
+  EdgeId found = kNone;
+  for_each_splitting_edge(grid, boxes, [&](const SplittingEdge& edge) {
+    if (edge.box.lo[edge.axis] == 0 || edge.box.hi[edge.axis] == kLatticeSize) return;
+    if (found == kNone && !edge.hits.empty()) found = edge.number;
+  });
+  if (found == kNone) throw std::logic_error("no inner edge");
+  return found;
 }
 
 // Half-edges round the first minimal face with at least `count` hits; strips do not count.
@@ -90,8 +87,8 @@ std::vector<Index> half_edges_round_a_face(const GridData& grid, Index count) {
     if (!found.empty() || face.strip() || face.hit_count() < count) return;
     for (int side = 0; side < 4; ++side) {
       const FaceEdge& edge = face.edges[side];
-      for (Index i = 0; i < edge.size(); ++i) {
-        const Index hit = side < 2 ? edge.begin + i : edge.end - 1 - i;
+      for (Index i = 0; i < edge.hits.size(); ++i) {
+        const Index hit = side < 2 ? edge.hits.first + i : edge.hits.beyond - 1 - i;
         found.push_back(3 * hit + edge.slot);
       }
     }
@@ -186,14 +183,14 @@ TEST(Validate, NoticesDamagedEdges) {
 TEST(Validate, NoticesDamagedHits) {
   const auto change = [](Index number, const std::function<Hit(const Hit&)>& what) {
     return [=](GridData& g) {
-      Hit& hit = g.hits[g.edge_begin[edge_with(g, 2)] + number];
+      Hit& hit = g.hits[g.edge_hits(edge_with(g, 2)).first + number];
       hit = what(hit);
     };
   };
   for (const LinePosition outside : {0u, ~0u}) {
     expect_rule("a hit lies on its edge", [=](GridData& g) {
       const Index e = inner_edge(g);
-      Hit& hit = g.hits[outside == 0 ? g.edge_begin[e] : g.edge_begin[e + 1] - 1];
+      Hit& hit = g.hits[outside == 0 ? g.edge_hits(e).first : g.edge_hits(e).beyond - 1];
       hit.position = outside;
     });
   }
@@ -208,11 +205,11 @@ TEST(Validate, NoticesDamagedHits) {
                            h.reversed());
               }));
   expect_rule("hits ascend along an edge", [](GridData& g) {
-    const Index first = g.edge_begin[edge_with(g, 2)];
+    const Index first = g.edge_hits(edge_with(g, 2)).first;
     std::swap(g.hits[first], g.hits[first + 1]);
   });
   expect_rule("hits ascend along an edge", [](GridData& g) {
-    const Index first = g.edge_begin[edge_with(g, 2)];
+    const Index first = g.edge_hits(edge_with(g, 2)).first;
     g.hits[first].position = g.hits[first + 1].position;
   });
   expect_rule("hits alternate along an edge", change(1, [](const Hit& h) {

@@ -269,7 +269,7 @@ TEST(Link, ModesDifferOnlyWhereFacesAreAmbiguous) {
   for_each_face(traced, cell_boxes(traced), [&](const MinimalFace& face) {
     if (face.hit_count() > 2 && !face.strip()) return;
     for (const FaceEdge& edge : face.edges) {
-      for (Index h = edge.begin; h < edge.end; ++h) {
+      for (const HitId h : edge.hits) {
         for (const Grid& grid : grids) {
           ASSERT_EQ(grid.data().opposite[3 * h + edge.slot], traced.opposite[3 * h + edge.slot]);
         }

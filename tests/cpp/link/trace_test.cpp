@@ -205,7 +205,7 @@ class Recount {
     }
     std::vector<std::pair<Index, Index>> ends;  // half-edge, piece
     for (const FaceEdge& edge : face.edges) {
-      for (Index h = edge.begin; h < edge.end; ++h) {
+      for (const HitId h : edge.hits) {
         ends.emplace_back(3 * h + edge.slot, find(grid_.source_faces[grid_.hits[h].plane()]));
       }
     }

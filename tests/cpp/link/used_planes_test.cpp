@@ -52,8 +52,7 @@ TEST(UsedPlanes, PointOutOfTheSolid) {
     for (const Cell& cell : grid.cells) {
       if (cell.leaf()) continue;
       for (Index i = 0; i < 4; ++i) {
-        const Index edge = 4 * cell.split() + i;
-        for (Index h = grid.edge_begin[edge]; h < grid.edge_begin[edge + 1]; ++h) {
+        for (const HitId h : grid.edge_hits(4 * cell.split() + i)) {
           const double up = up_edge(grid, cell, i, h);
           if (std::abs(up) < 1e-3) continue;  // the lattice's triangle is another
           ASSERT_EQ(up > 0, grid.hits[h].leaving());

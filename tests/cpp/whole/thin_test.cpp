@@ -25,8 +25,9 @@ Box root_of(const Mesh& mesh) {
 // between them.
 Index double_hits(const GridData& grid, double nearer_than) {
   Index count = 0;
-  for (std::size_t edge = 1; edge < grid.edge_begin.size(); ++edge) {
-    for (Index h = grid.edge_begin[edge - 1] + 1; h < grid.edge_begin[edge]; ++h) {
+  for (EdgeId edge = 0; edge < 4 * grid.splits(); ++edge) {
+    for (const HitId h : grid.edge_hits(edge)) {
+      if (h == grid.edge_hits(edge).first) continue;
       const double gap =
           real_position(grid.hits[h].position) - real_position(grid.hits[h - 1].position);
       count += gap * grid.lattice.step < nearer_than ? 1 : 0;
