@@ -14,6 +14,7 @@
 #include "mesh/check_indices.h"
 #include "mesh/check_positions.h"
 #include "mesh/faults.h"
+#include "mesh/marks.h"
 #include "mesh/polygons.h"
 #include "mesh/scale.h"
 #include "prepare/orient.h"
@@ -42,15 +43,15 @@ Mesh joined(const Mesh& mesh, const Weld& weld) {
 // Faces of which no corner is off the line of others; those with a repeated one are left out.
 std::vector<Index> find_zero_area(const Mesh& mesh, const std::vector<Index>& part_of) {
   const std::vector<Vec3> positions = scale_to_one(mesh.positions).positions;
-  std::vector<char> has_area(part_of.size(), 0);
+  Marks has_area(part_of.size());
   Polygons(mesh).for_each_triangle([&](Index face, const Triangle& t) {
-    for (int axis = 0; axis < 3 && has_area[face] == 0; ++axis) {
-      has_area[face] = area_sign(positions[t[0]], positions[t[1]], positions[t[2]], axis) != 0;
+    for (int axis = 0; axis < 3 && !has_area.test(face); ++axis) {
+      has_area.set(face, area_sign(positions[t[0]], positions[t[1]], positions[t[2]], axis) != 0);
     }
   });
   std::vector<Index> found;
   for (Index face = 0; face < part_of.size(); ++face) {
-    if (part_of[face] != kNone && has_area[face] == 0) found.push_back(face);
+    if (part_of[face] != kNone && !has_area.test(face)) found.push_back(face);
   }
   return found;
 }
@@ -67,7 +68,7 @@ std::vector<Index> find_flipped(const Mesh& mesh, const std::vector<Index>& part
   const Orientation orientation = orient(triangles, mesh.positions);
   std::vector<Index> found;
   for (std::size_t i = 0; i < triangles.size(); ++i) {
-    if (orientation.flip[i] == 0) continue;
+    if (!orientation.must_turn.test(i)) continue;
     if (found.empty() || found.back() != face_of[i]) found.push_back(face_of[i]);
   }
   return found;

@@ -6,6 +6,7 @@
 #include <new>
 
 #include "kdmanifold/error.h"
+#include "mesh/boxes.h"
 #include "mesh/measure.h"
 #include "mesh/polygons.h"
 

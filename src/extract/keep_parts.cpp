@@ -7,6 +7,7 @@
 
 #include "analyze/nesting.h"
 #include "mesh/disjoint_sets.h"
+#include "mesh/boxes.h"
 #include "mesh/measure.h"
 #include "mesh/polygons.h"
 #include "mesh/scale.h"

@@ -16,7 +16,7 @@
 
 #include "geometry/quadric.h"
 #include "geometry/triangle_box.h"
-#include "prepare/bends.h"
+#include "prepare/crease_vertices.h"
 
 namespace kdm {
 namespace {
@@ -33,15 +33,15 @@ constexpr double kPassing = 0.05;
 class CornerSearch {
  public:
   CornerSearch(const Surface& surface, GridData& grid)
-      : surface_(surface), grid_(grid), bends_(surface, grid.planes, kHalfOfThat) {}
+      : surface_(surface), grid_(grid), crease_vertices_(surface, grid.planes, kHalfOfThat) {}
 
   void run() {
-    if (bends_.all().empty()) return;
+    if (crease_vertices_.all().empty()) return;
     boxes_ = cell_boxes(grid_);
     find_leaves();
     part_.assign(surface_.triangles.size(), kNone);
     for (Index leaf = 0; leaf < grid_.cells.size(); ++leaf) {
-      if (!bends_in_.of(leaf).empty()) search_leaf(leaf);
+      if (!crease_vertices_in_.of(leaf).empty()) search_leaf(leaf);
     }
     std::sort(grid_.corners.begin(), grid_.corners.end(),
               [](const KeptCorner& a, const KeptCorner& b) { return a.half_edge < b.half_edge; });
@@ -49,7 +49,7 @@ class CornerSearch {
   }
 
  private:
-  const Bend& bend(Index number) const { return bends_.all()[number]; }
+  const CreaseVertex& crease_vertex(Index number) const { return crease_vertices_.all()[number]; }
   const Vec3& normal(Index triangle) const { return grid_.planes[triangle].normal; }
   const LatticeBox& home_of(Index number) const { return boxes_[home_[number]]; }
 
@@ -62,18 +62,18 @@ class CornerSearch {
     return c;
   }
 
-  // Which bends and half-edges each leaf has.
+  // Which crease vertices and half-edges each leaf has.
   void find_leaves() {
     std::vector<char> has_loops(grid_.cells.size(), 0);
     for (Index h = 0; h < grid_.start.size(); ++h) has_loops[grid_.start_leaf(h)] = 1;
     std::vector<char> wanted(grid_.cells.size(), 0);
     std::vector<Index> leaf_of;
-    for (Index i = 0; i < bends_.all().size(); ++i) {
-      home_.push_back(leaf_at(bend(i).at));
+    for (Index i = 0; i < crease_vertices_.all().size(); ++i) {
+      home_.push_back(leaf_at(crease_vertex(i).at));
       leaf_of.push_back(has_loops[home_[i]] != 0 ? home_[i] : leaf_behind(i));
       wanted[leaf_of[i]] = 1;
     }
-    bends_in_ = Groups(grid_.cells.size(), [&](const auto& put) {
+    crease_vertices_in_ = Groups(grid_.cells.size(), [&](const auto& put) {
       for (Index i = 0; i < leaf_of.size(); ++i) put(leaf_of[i], i);
     });
     half_edges_in_ = Groups(grid_.cells.size(), [&](const auto& put) {
@@ -84,13 +84,13 @@ class CornerSearch {
     });
   }
 
-  // The leaf from which the surface reaches into the bend's own: where the middle of what leads to
-  // the bend comes in.
+  // The leaf from which the surface reaches into the crease vertex's own: where the middle of what
+  // leads to the crease vertex comes in.
   Index leaf_behind(Index number) const {
     const LatticeBox& box = home_of(number);
-    const Vec3 tip = to_vec3(bend(number).at);
+    const Vec3 tip = to_vec3(crease_vertex(number).at);
     Vec3 back = Vec3::Zero();
-    for (const Index t : bends_.triangles_round(bend(number))) {
+    for (const Index t : crease_vertices_.triangles_round(crease_vertex(number))) {
       for (const LatticePoint& p : surface_.triangles[t]) {
         const Vec3 along = to_vec3(p) - tip;
         const double length = along.norm();
@@ -146,9 +146,9 @@ class CornerSearch {
     const LatticeBox& box = boxes_[leaf];
     const double passing = kPassing * (to_vec3(box.hi) - to_vec3(box.lo)).minCoeff();
     corners_.clear();
-    for (const Index i : bends_in_.of(leaf)) {
-      if (!planes_pass(to_vec3(bend(i).at), passing)) continue;
-      if (home_[i] == leaf && !plane_missing(bend(i))) continue;
+    for (const Index i : crease_vertices_in_.of(leaf)) {
+      if (!planes_pass(to_vec3(crease_vertex(i).at), passing)) continue;
+      if (home_[i] == leaf && !plane_missing(crease_vertex(i))) continue;
       if (on_same_part(i, box)) corners_.push_back(i);
     }
     if (corners_.empty()) return;
@@ -161,8 +161,8 @@ class CornerSearch {
     });
   }
 
-  bool plane_missing(const Bend& corner) const {
-    const std::span<const Index> round = bends_.triangles_round(corner);
+  bool plane_missing(const CreaseVertex& corner) const {
+    const std::span<const Index> round = crease_vertices_.triangles_round(corner);
     return std::any_of(round.begin(), round.end(), [&](Index t) {
       return std::all_of(hits_.begin(), hits_.end(), [&](Index hit) {
         return std::abs(normal(hit).dot(normal(t))) < kOtherPlane;
@@ -170,9 +170,10 @@ class CornerSearch {
     });
   }
 
-  // Does the surface lead from the bend to all hits, through the leaf and the bend's own?
+  // Does the surface lead from the crease vertex to all hits, through the leaf and the one that it
+  // lies in?
   bool on_same_part(Index number, const LatticeBox& box) {
-    const std::span<const Index> round = bends_.triangles_round(bend(number));
+    const std::span<const Index> round = crease_vertices_.triangles_round(crease_vertex(number));
     if (part_[round[0]] == kNone || part_[round[0]] < first_part_) {
       spread(round, box, home_of(number));
     }
@@ -194,11 +195,11 @@ class CornerSearch {
       stack_.pop_back();
       const LatticeTriangle& t = surface_.triangles[triangle];
       for (int i = 0; i < 3; ++i) {
-        const Index twin = surface_.topology.twin[3 * triangle + static_cast<Index>(i)];
-        if (twin == kNone) continue;
+        const SideId opposite = surface_.topology.opposite[3 * triangle + static_cast<Index>(i)];
+        if (opposite == kNone) continue;
         const LatticePoint& a = t[i];
         const LatticePoint& b = t[next_corner(i)];
-        if (edge_meets_box(a, b, box) || edge_meets_box(a, b, home)) visit(twin / 3);
+        if (edge_meets_box(a, b, box) || edge_meets_box(a, b, home)) visit(opposite / 3);
       }
     }
   }
@@ -206,12 +207,12 @@ class CornerSearch {
   // Where a curved crease bends through the leaf there are several.
   Index middle_corner() const {
     if (corners_.size() == 1) return corners_[0];
-    PrimalQuadric quadric(to_vec3(bend(corners_[0]).at));
-    for (const Index i : corners_) add_planes(bend(i), quadric);
+    PrimalQuadric quadric(to_vec3(crease_vertex(corners_[0]).at));
+    for (const Index i : corners_) add_planes(crease_vertex(i), quadric);
     Index best = kNone;
     double least = std::numeric_limits<double>::infinity();
     for (const Index i : corners_) {
-      const double error = quadric.error(to_vec3(bend(i).at));
+      const double error = quadric.error(to_vec3(crease_vertex(i).at));
       if (best != kNone && error >= least) continue;
       best = i;
       least = error;
@@ -219,15 +220,15 @@ class CornerSearch {
     return best;
   }
 
-  void add_planes(const Bend& corner, PrimalQuadric& quadric) const {
-    for (const Index t : bends_.triangles_round(corner)) quadric.add(grid_.planes[t]);
+  void add_planes(const CreaseVertex& corner, PrimalQuadric& quadric) const {
+    for (const Index t : crease_vertices_.triangles_round(corner)) quadric.add(grid_.planes[t]);
   }
 
   // Where the planes met before rounding.
   Vec3 exact_position(Index number) const {
-    const Vec3 rounded = to_vec3(bend(number).at);
+    const Vec3 rounded = to_vec3(crease_vertex(number).at);
     PrimalQuadric quadric(rounded);
-    add_planes(bend(number), quadric);
+    add_planes(crease_vertex(number), quadric);
     const Vec3 exact = quadric.minimiser(PrimalQuadric::kFineCutoff);
     if ((exact - rounded).squaredNorm() > 1) return rounded;
     const LatticeBox& box = home_of(number);
@@ -236,14 +237,14 @@ class CornerSearch {
 
   const Surface& surface_;
   GridData& grid_;
-  Bends bends_;
+  CreaseVertices crease_vertices_;
   std::vector<LatticeBox> boxes_;
-  std::vector<Index> home_;     // per bend: the leaf it lies in
-  Groups bends_in_;             // by the leaf whose loops may have them
-  Groups half_edges_in_;        // by leaf, of those with bends
+  std::vector<Index> home_;     // per crease vertex: the leaf it lies in
+  Groups crease_vertices_in_;   // by the leaf whose loops may have them
+  Groups half_edges_in_;        // by leaf, of those with crease vertices
   std::vector<char> walked_;    // per half-edge of the leaf at hand
   std::vector<Index> hits_;     // triangles of the loop at hand
-  std::vector<Index> corners_;  // bends that it may have
+  std::vector<Index> corners_;  // crease vertices that it may have
   std::vector<Index> part_;  // per triangle: the part of the surface in a leaf it was last seen in
   Index parts_ = 0;
   Index first_part_ = 0;  // of the leaf at hand

@@ -60,9 +60,9 @@ Traced trace(const Surface& surface, int axis, std::int32_t value,
     if (exit == 3) return {};
     if (leaves_rectangle(t[exit], t[next_corner(exit)], axis, value, lo, hi)) return {};
     const Index left_by = 3 * triangle + static_cast<Index>(exit);
-    const Index twin = surface.topology.twin[left_by];
-    if (twin == kNone) return {kNone, left_by};
-    triangle = twin / 3;
+    const SideId opposite = surface.topology.opposite[left_by];
+    if (opposite == kNone) return {kNone, left_by};
+    triangle = opposite / 3;
     if (triangle == ends[start].triangle) return {};
   }
   return {};

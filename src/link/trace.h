@@ -15,7 +15,8 @@ struct TraceEnd {
   int side;  ///< 0 to 3 as splitting edges are numbered
 };
 
-/// Where a trace arrives: at another end, at the rim of a sheet (a side without twin), or nowhere.
+/// Where a trace arrives: at another end, at the rim of a sheet (a side without opposite), or
+/// nowhere.
 struct Traced {
   Index end = kNone;
   Index rim = kNone;

@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: MIT
-// A walk along unused edges that cuts off a loop whenever it meets itself.
+// Walks along unused edges, and cuts off a loop whenever the walk meets itself.
 #include "mesh/boundary_loops.h"
 
 #include <algorithm>
 #include <tuple>
 
+#include "mesh/marks.h"
+
 namespace kdm {
 namespace {
 
-// One end of an edge. Ends in one fan are neighbours in the sorted list: a node.
+// One end of a boundary edge. The ends in one fan follow each other in the sorted list and are a
+// node of the walk.
 struct End {
   Index fan;
   Index edge;
-  bool last;  // the edge runs towards this end
+  bool last;  // the edge runs towards this end, not away from it
 };
 
 class LoopFinder {
@@ -38,7 +41,7 @@ class LoopFinder {
 
   std::vector<BoundaryLoop> run() {
     for (Index edge = 0; edge < edges_.size(); ++edge) {
-      if (!used_[edge]) walk(edge);
+      if (!used_.test(edge)) walk(edge);
     }
     return std::move(loops_);
   }
@@ -46,8 +49,8 @@ class LoopFinder {
  private:
   struct Step {
     Index edge;
-    Index node;  // where it starts
-    bool backwards;
+    Index node;      // where the step starts
+    bool backwards;  // the step goes along its edge against the face's direction
   };
 
   void walk(Index edge) {
@@ -56,7 +59,7 @@ class LoopFinder {
       const Index node = nodes_[edge][backwards];
       step_from_[node] = static_cast<Index>(path_.size());
       path_.push_back({edge, node, backwards});
-      used_[edge] = true;
+      used_.set(edge);
       const Index reached = nodes_[edge][!backwards];
       if (step_from_[reached] != kNone) cut_off(step_from_[reached]);
       const End* next = next_unused(reached);
@@ -68,7 +71,7 @@ class LoopFinder {
     path_.clear();
   }
 
-  // The path from this step on is a loop.
+  // Takes the steps from this one on off the path: they are a loop.
   void cut_off(Index first) {
     BoundaryLoop loop;
     loop.face = edges_[path_[first].edge].face;
@@ -82,12 +85,12 @@ class LoopFinder {
 
   const End* next_unused(Index node) {
     Index& next = next_end_[node];
-    while (next != end_of_node_[node] && used_[ends_[next].edge]) ++next;
+    while (next != end_of_node_[node] && used_.test(ends_[next].edge)) ++next;
     return next == end_of_node_[node] ? nullptr : &ends_[next];
   }
 
   std::span<const BoundaryEdge> edges_;
-  std::vector<char> used_;
+  Marks used_;                               // edges that are part of the path, or were
   std::vector<std::array<Index, 2>> nodes_;  // of each edge's ends
   std::vector<End> ends_;
   std::vector<Index> next_end_;     // of each node: its first end that may be unused
@@ -103,16 +106,16 @@ std::vector<BoundaryLoop> find_boundary_loops(std::span<const BoundaryEdge> edge
   return LoopFinder(edges).run();
 }
 
-std::vector<BoundaryLoop> find_rim_loops(std::span<const Index> twin) {
-  const auto next_side = [](Index side) { return side % 3 == 2 ? side - 2 : side + 1; };
+std::vector<BoundaryLoop> find_rim_loops(std::span<const SideId> opposite) {
   std::vector<BoundaryEdge> edges;
-  for (Index side = 0; side < twin.size(); ++side) {
-    if (twin[side] != kNone) continue;
-    // Round the corner at the side's end, until the surface ends there too.
-    Index next = next_side(side);
-    while (twin[next] != kNone) next = next_side(twin[next]);
-    // A fan that ends has one side that leaves it: that stands for it, and for its corner.
-    edges.push_back({{side, next}, {side, next}, side / 3});
+  for (SideId side = 0; side < opposite.size(); ++side) {
+    if (opposite[side] != kNone) continue;
+    // Turn round the corner at the side's end until the surface ends there too.
+    SideId next = next_side(side);
+    while (opposite[next] != kNone) next = next_side(opposite[next]);
+    // The fan at either end of the rim's side has one rim side that starts there. The number of
+    // that side stands for the fan and for its vertex.
+    edges.push_back({{side, next}, {side, next}, triangle_of(side)});
   }
   return find_boundary_loops(edges);
 }

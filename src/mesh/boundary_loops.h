@@ -1,27 +1,31 @@
 // SPDX-License-Identifier: MIT
-// Closed rounds of boundary edges.
+// Joins boundary edges to closed rounds.
 #pragma once
 
 #include <span>
 #include <vector>
 
 #include "mesh/faults.h"
+#include "mesh/sides.h"
 
 namespace kdm {
 
+/// A closed round of boundary edges.
 struct BoundaryLoop {
-  std::vector<Index> vertices;
-  Index face = kNone;  ///< one along it
+  std::vector<Index> vertices;  ///< in the direction of the faces, where these agree
+  Index face = kNone;           ///< a face with an edge of the round
 };
 
-/// Follows boundary edges round the fans at their ends, in which exactly two meet if no edge there
-/// has three or more faces. Where others do, rounds are closed as early as can be, and edges that
-/// are part of none are left out. Loops start with their lowest edge in the list where they can.
+/// Joins boundary edges to loops: from each edge to the next one of the fan at its end. Exactly two
+/// boundary edges meet in a fan if no edge there has three or more faces. Where more meet, loops
+/// are closed as early as possible, and edges that are part of no loop are left out. A loop starts
+/// with its lowest edge in the list unless it was cut off from a longer one.
 std::vector<BoundaryLoop> find_boundary_loops(std::span<const BoundaryEdge> edges);
 
-/// Such rounds along the sides without twin of a triangle mesh (see `Topology`), also of those at
-/// edges with several faces: from each to the next one round the corner. Sides stand for the
-/// vertices that they start from.
-std::vector<BoundaryLoop> find_rim_loops(std::span<const Index> twin);
+/// Joins the sides of a triangle mesh that have no opposite (see `Topology::opposite`) to loops:
+/// from each side to the next one round the corner at its end. Sides at edges of several triangles
+/// take part like any other. In the loops' `vertices`, a side stands for the corner that it starts
+/// from, since one position may be passed several times.
+std::vector<BoundaryLoop> find_rim_loops(std::span<const SideId> opposite);
 
 }  // namespace kdm

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The sides of triangles gathered by edge.
+// Gathers the sides of faces edge by edge.
 #pragma once
 
 #include <algorithm>
@@ -7,58 +7,58 @@
 #include <span>
 #include <vector>
 
-#include "kdmanifold/types.h"
+#include "mesh/numbers.h"
+#include "mesh/sides.h"
 
 namespace kdm {
 
-/// The corner after corner `i`.
-constexpr int next_corner(int i) { return i == 2 ? 0 : i + 1; }
-
-/// Side 3t+i of triangle t is that from corner i to corner i+1.
+/// A side of a face, seen as one of those along its edge. An edge joins a lower and an upper point.
 struct EdgeSide {
-  Index upper;  ///< corner with the higher number
-  Index side;
-  bool forward;  ///< runs from the lower to the upper corner
+  PointId upper;  ///< the end of the edge with the higher number
+  SideId side;    ///< the side's number
+  bool forward;   ///< whether the side runs from the lower to the upper point
 };
 
-/// All sides of faces, in order of their edges' corners. Sides from a corner to an equal corner
-/// are left out. Linear time for meshes of bounded valence: sides are bucketed by their lower
-/// corner, the short buckets sorted.
+/// Sorts the sides of faces by the points of their edges. Sides that lead from a point to the same
+/// point are left out. Takes linear time if no point has very many faces: the sides are put into
+/// one bucket a lower point, and the short buckets sorted.
 class EdgeSides {
  public:
-  /// `points` bounds the corner numbers.
+  /// Takes the sides of triangles, numbered as mesh/sides.h says. `points` is above all corner
+  /// numbers.
   EdgeSides(std::span<const Triangle> triangles, Index points)
       : EdgeSides(points, [&](const auto& visit) {
-          Index side = 0;
+          SideId side = 0;
           for (const Triangle& t : triangles) {
             for (int i = 0; i < 3; ++i, ++side) visit(t[i], t[next_corner(i)], side);
           }
         }) {}
 
-  /// `for_each` calls what it is given with every side's corners, from and to, and its number, in
-  /// order of the numbers. It is run twice.
+  /// Takes the sides of any faces. `for_each(visit)` must call `visit(from, to, number)` for every
+  /// side in order of the numbers; it is called twice.
   template <typename ForEach>
   EdgeSides(Index points, const ForEach& for_each)
-      : bucket_(static_cast<std::size_t>(points) + 1, 0) {
-    for_each([first = bucket_.data()](Index from, Index to, Index) {
+      : bucket_begin_(static_cast<std::size_t>(points) + 1, 0) {
+    for_each([first = bucket_begin_.data()](Index from, Index to, Index) {
       if (from != to) ++first[std::min(from, to) + 1];
     });
-    std::partial_sum(bucket_.begin(), bucket_.end(), bucket_.begin());
-    sides_.resize(bucket_.back());
-    std::vector<Index> fill(bucket_.begin(), bucket_.end() - 1);
+    std::partial_sum(bucket_begin_.begin(), bucket_begin_.end(), bucket_begin_.begin());
+    sides_.resize(bucket_begin_.back());
+    std::vector<Index> fill(bucket_begin_.begin(), bucket_begin_.end() - 1);
     for_each([sides = sides_.data(), next = fill.data()](Index from, Index to, Index side) {
       if (from != to) sides[next[std::min(from, to)]++] = {std::max(from, to), side, from < to};
     });
-    for (Index p = 0; p < points; ++p) sort(std::span(sides_).subspan(bucket_[p], size(p)));
+    for (PointId p = 0; p < points; ++p) sort(std::span(sides_).subspan(bucket_begin_[p], size(p)));
   }
 
-  /// Calls `visit(lower corner, sides)` for each edge, sides in order of their numbers.
+  /// Calls `visit(lower, sides)` for each edge with its lower point and the sides along it, which
+  /// ascend by number. Edges ascend by their lower, then by their upper point.
   template <typename Visit>
   void for_each_edge(const Visit& visit) const {
-    for (Index p = 0; p + 1 < bucket_.size(); ++p) {
-      for (std::size_t first = bucket_[p]; first != bucket_[p + 1];) {
+    for (Index p = 0; p + 1 < bucket_begin_.size(); ++p) {
+      for (std::size_t first = bucket_begin_[p]; first != bucket_begin_[p + 1];) {
         std::size_t last = first + 1;
-        while (last != bucket_[p + 1] && sides_[last].upper == sides_[first].upper) ++last;
+        while (last != bucket_begin_[p + 1] && sides_[last].upper == sides_[first].upper) ++last;
         visit(p, std::span<const EdgeSide>(&sides_[first], last - first));
         first = last;
       }
@@ -66,9 +66,9 @@ class EdgeSides {
   }
 
  private:
-  std::size_t size(Index point) const { return bucket_[point + 1] - bucket_[point]; }
+  std::size_t size(Index point) const { return bucket_begin_[point + 1] - bucket_begin_[point]; }
 
-  // By the upper corner; sides come in order of their numbers and stay so.
+  // Sorts a bucket by the upper points. Sides come in order of their numbers and stay so.
   static void sort(std::span<EdgeSide> bucket) {
     constexpr std::size_t kShort = 32;
     if (bucket.size() > kShort) {
@@ -87,7 +87,7 @@ class EdgeSides {
     }
   }
 
-  std::vector<Index> bucket_;
+  std::vector<Index> bucket_begin_;  // per lower point: its first place in sides_
   std::vector<EdgeSide> sides_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers in groups.
+// Sorts numbers into groups.
 #pragma once
 
 #include <numeric>
@@ -10,11 +10,13 @@
 
 namespace kdm {
 
-/// Groups by number, each with what was put into it, in that order: a counting sort.
+/// Holds items, each a number, sorted by the group that each was put into. Within a group, items
+/// keep the order in which they were put. Takes linear time (a counting sort).
 class Groups {
  public:
   Groups() = default;
-  /// `for_each` calls what it is given with every item's group and the item, and is run twice.
+  /// `for_each(put)` must call `put(group, item)` for every item; it is called twice. Groups are
+  /// numbered below `groups`.
   template <typename ForEach>
   Groups(std::size_t groups, const ForEach& for_each) : begin_(groups + 1, 0) {
     for_each([&](Index group, Index) { ++begin_[group + 1]; });
@@ -24,12 +26,17 @@ class Groups {
     for_each([&](Index group, Index item) { items_[next[group]++] = item; });
   }
 
+  /// Returns the items of a group.
   std::span<const Index> of(Index group) const {
     return {items_.data() + begin_[group], begin_[group + 1] - begin_[group]};
   }
+  /// Returns how many items there are in the groups before this one.
+  Index items_before(Index group) const { return begin_[group]; }
+  /// Returns all items, group after group.
+  std::span<const Index> items() const { return items_; }
 
  private:
-  std::vector<Index> begin_;
+  std::vector<Index> begin_;  // per group: its first place in items_
   std::vector<Index> items_;
 };
 

@@ -9,7 +9,7 @@ namespace kdm {
 // Of a mesh.
 using PointId = Index;     ///< a position, which several faces share
 using TriangleId = Index;  ///< a face of the input that construction sees
-using SideId = Index;      ///< side 3t + i of triangle t leads from its corner i to the next one
+using SideId = Index;      ///< a side of an input triangle, or its first corner: mesh/sides.h
 
 // Of a grid; grid/grid_data.h has the sketch.
 using CellId = Index;      ///< a node of the kd-tree; 0 is the root

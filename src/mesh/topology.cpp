@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pairs sides edge by edge.
+// Pairs the sides along each edge.
 #include "mesh/topology.h"
 
 #include <algorithm>
@@ -10,53 +10,56 @@
 namespace kdm {
 namespace {
 
-void pair(const EdgeSide& a, const EdgeSide& b, std::vector<Index>& twin) {
-  twin[a.side] = b.side;
-  twin[b.side] = a.side;
+void pair(const EdgeSide& a, const EdgeSide& b, std::vector<SideId>& opposite) {
+  opposite[a.side] = b.side;
+  opposite[b.side] = a.side;
 }
 
-// The k-th side that runs forward meets the k-th that runs backward.
-void pair_in_order(std::span<const EdgeSide> edge, std::vector<Index>& twin) {
+// Pairs the k-th side that runs forward with the k-th that runs backward.
+void pair_in_order(std::span<const EdgeSide> edge, std::vector<SideId>& opposite) {
   std::size_t back = 0;
-  for (const EdgeSide& r : edge) {
-    if (!r.forward) continue;
+  for (const EdgeSide& s : edge) {
+    if (!s.forward) continue;
     while (back < edge.size() && edge[back].forward) ++back;
     if (back == edge.size()) return;
-    pair(r, edge[back], twin);
+    pair(s, edge[back], opposite);
     ++back;
   }
 }
 
-// One side, or more than two, or two that run the same way.
-void close_odd_edge(std::span<const EdgeSide> edge, Topology& topology) {
+// Counts and pairs the sides of an edge other than the usual one, which has two sides that run
+// against each other.
+void add_unusual_edge(std::span<const EdgeSide> edge, Topology& topology) {
   topology.boundary_edges += edge.size() == 1 ? 1 : 0;
   if (edge.size() >= 3) {
     ++topology.non_manifold_edges;
-    for (const EdgeSide& r : edge) topology.crowded.push_back(r.side);
+    for (const EdgeSide& s : edge) topology.non_manifold_sides.push_back(s.side);
   }
   const auto forward =
-      std::count_if(edge.begin(), edge.end(), [](const EdgeSide& r) { return r.forward; });
+      std::count_if(edge.begin(), edge.end(), [](const EdgeSide& s) { return s.forward; });
   if (2 * static_cast<std::size_t>(forward) != edge.size()) {
     ++topology.unbalanced_edges;
-    for (const EdgeSide& r : edge) {
-      topology.first_unbalanced = std::min(topology.first_unbalanced, r.side);
+    for (const EdgeSide& s : edge) {
+      topology.first_unbalanced = std::min(topology.first_unbalanced, s.side);
     }
   }
-  pair_in_order(edge, topology.twin);
+  pair_in_order(edge, topology.opposite);
 }
 
 }  // namespace
 
 Topology build_topology(std::span<const Triangle> triangles, Index points) {
   Topology topology;
-  topology.twin.assign(3 * triangles.size(), kNone);
+  topology.opposite.assign(3 * triangles.size(), kNone);
   DisjointSets parts(triangles.size());
-  EdgeSides(triangles, points).for_each_edge([&](Index, std::span<const EdgeSide> edge) {
-    for (std::size_t i = 1; i < edge.size(); ++i) parts.join(edge[0].side / 3, edge[i].side / 3);
+  EdgeSides(triangles, points).for_each_edge([&](PointId, std::span<const EdgeSide> edge) {
+    for (std::size_t i = 1; i < edge.size(); ++i) {
+      parts.join(triangle_of(edge[0].side), triangle_of(edge[i].side));
+    }
     if (edge.size() == 2 && edge[0].forward != edge[1].forward) {
-      pair(edge[0], edge[1], topology.twin);
+      pair(edge[0], edge[1], topology.opposite);
     } else {
-      close_odd_edge(edge, topology);
+      add_unusual_edge(edge, topology);
     }
   });
   topology.components = parts.count();

@@ -1,31 +1,36 @@
 // SPDX-License-Identifier: MIT
-// Which triangle lies beyond each side of each triangle, and whether the surface is closed.
+// Which triangles are neighbours, and whether the surface is closed.
 #pragma once
 
 #include <span>
 #include <vector>
 
-#include "kdmanifold/types.h"
-#include "mesh/edge_sides.h"
+#include "mesh/numbers.h"
+#include "mesh/sides.h"
 
 namespace kdm {
 
-/// Neighbours of a triangle mesh. Side i of triangle t, from corner i to corner i+1, is 3t+i.
+/// How the sides of a triangle mesh meet along its edges.
 struct Topology {
-  /// The side that runs along the same edge the other way; kNone on open edges. Where an edge has
-  /// four or more triangles, sides of opposite direction are paired in order of their numbers.
-  std::vector<Index> twin;
-  std::vector<Index> crowded;      ///< sides on edges with three or more, edge by edge, ascending
-  Index boundary_edges = 0;        ///< edges with one triangle
-  Index non_manifold_edges = 0;    ///< edges with three or more triangles
-  Index unbalanced_edges = 0;      ///< edges not used equally often in both directions
-  Index first_unbalanced = kNone;  ///< the lowest side on such an edge
-  Index components = 0;            ///< parts joined by edges
+  /// For each side the side of another triangle that runs along the same edge against it, or kNone
+  /// if no side is left for it. Where an edge has four or more triangles, the sides of the two
+  /// directions are paired in order of their numbers.
+  std::vector<SideId> opposite;
+  /// The sides on edges of three or more triangles, edge by edge, ascending on each edge.
+  std::vector<SideId> non_manifold_sides;
+  Index boundary_edges = 0;         ///< how many edges have one triangle
+  Index non_manifold_edges = 0;     ///< how many edges have three or more triangles
+  Index unbalanced_edges = 0;       ///< how many edges are not used equally often both ways
+  SideId first_unbalanced = kNone;  ///< the lowest side on such an edge
+  Index components = 0;             ///< how many parts there are if edges join triangles
 
+  /// Whether every edge is used equally often in both directions.
   bool closed() const { return unbalanced_edges == 0; }
 };
 
-/// Sides from a corner to an equal corner are ignored. `points` bounds the corner numbers.
+/// Finds how the sides of the triangles meet. `points` is above all corner numbers. Sides that lead
+/// from a corner to the same corner are left out. Takes linear time if no point has very many
+/// triangles.
 Topology build_topology(std::span<const Triangle> triangles, Index points);
 
 }  // namespace kdm

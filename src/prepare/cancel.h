@@ -3,16 +3,17 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
+#include "mesh/marks.h"
 #include "mesh/topology.h"
 
 namespace kdm {
 
-/// Finds pairs of triangles over the same three corners that face opposite ways. Each triangle is
-/// in one pair at most. Returns one flag a triangle. `topology` is theirs, `points` bounds the
-/// corner numbers. Linear time for meshes of bounded valence.
-std::vector<char> find_opposite_pairs(std::span<const Triangle> triangles, Index points,
-                                      const Topology& topology);
+/// Finds pairs of triangles over the same three points that face opposite ways, and marks both
+/// triangles of each pair. A triangle is in one pair at most. `topology` must be that of the
+/// triangles; `points` is above all corner numbers. Takes linear time if no point has very many
+/// triangles.
+Marks find_opposite_pairs(std::span<const Triangle> triangles, Index points,
+                          const Topology& topology);
 
 }  // namespace kdm

@@ -8,10 +8,10 @@
 
 #include "kdmanifold/error.h"
 #include "mesh/boundary_loops.h"
+#include "mesh/boxes.h"
 #include "mesh/check_positions.h"
-#include "mesh/measure.h"
 #include "prepare/cancel.h"
-#include "prepare/crowded_edges.h"
+#include "prepare/non_manifold_edges.h"
 #include "prepare/orient.h"
 #include "prepare/sew.h"
 #include "prepare/weld.h"
@@ -119,11 +119,11 @@ void drop_repeated_corners(InputFaces& faces) {
 // Takes out pairs of faces that lie back to back: they bound nothing, and without them more of the
 // surface is embedded.
 void cancel_opposite_faces(InputFaces& faces) {
-  const std::vector<char> cancelled =
+  const Marks cancelled =
       find_opposite_pairs(faces.triangles, static_cast<Index>(faces.points.size()), faces.topology);
-  if (std::find(cancelled.begin(), cancelled.end(), 1) == cancelled.end()) return;
+  if (!cancelled.any()) return;
   faces.report.cancelled_faces =
-      keep_faces(faces, [&](std::size_t i) { return cancelled[i] == 0; });
+      keep_faces(faces, [&](std::size_t i) { return !cancelled.test(i); });
   if (faces.triangles.empty()) {
     throw Error(ErrorCode::kInvalidMesh,
                 "the faces of the mesh cancel: each lies back to back with another");
@@ -134,7 +134,7 @@ void cancel_opposite_faces(InputFaces& faces) {
 void turn_outwards(InputFaces& faces) {
   const Orientation orientation = orient(faces.triangles, faces.points);
   for (std::size_t i = 0; i < faces.triangles.size(); ++i) {
-    if (orientation.flip[i] != 0) std::swap(faces.triangles[i][1], faces.triangles[i][2]);
+    if (orientation.must_turn.test(i)) std::swap(faces.triangles[i][1], faces.triangles[i][2]);
   }
   keep_faces(faces, [&](std::size_t i) { return orientation.copy_of[i] == kNone; });
   faces.report.turned_faces = orientation.flipped_triangles;
@@ -206,7 +206,7 @@ InputFaces prepare_faces(const Mesh& mesh, const BuildOptions& options) {
   }
   if (sheet || faces.repair) {
     pair_straightest(faces.triangles, faces.points, faces.topology);
-    const std::vector<BoundaryLoop> holes = find_rim_loops(faces.topology.twin);
+    const std::vector<BoundaryLoop> holes = find_rim_loops(faces.topology.opposite);
     report.boundary_loops = static_cast<Index>(holes.size());
     if (faces.repair && options.largest_hole > 0) check_holes(holes, faces, options.largest_hole);
   } else {

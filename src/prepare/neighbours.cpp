@@ -1,65 +1,75 @@
 // SPDX-License-Identifier: MIT
-// Union-find in which each triangle knows whether it is turned against its representative. Edges
-// whose triangles agree go first: they never contradict each other.
+// Joins neighbours by a union-find in which each triangle knows whether it must be turned for it to
+// agree with its set's representative. Edges whose triangles agree are taken first, because they
+// never contradict each other.
 #include "prepare/neighbours.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 
+#include "geometry/triangle.h"
 #include "mesh/edge_sides.h"
 #include "mesh/same_corners.h"
 
 namespace kdm {
 namespace {
 
+// Disjoint sets of triangles that know of any two in one set whether they face the same way. The
+// lowest triangle of a set is its representative.
 class TurnedSets {
  public:
-  explicit TurnedSets(std::size_t size) : parent_(size), against_(size, 0) {
-    std::iota(parent_.begin(), parent_.end(), Index{0});
+  explicit TurnedSets(std::size_t size) : parent_(size), against_parent_(size) {
+    std::iota(parent_.begin(), parent_.end(), TriangleId{0});
   }
 
-  /// Its representative, and whether it is turned against that.
-  std::pair<Index, char> find(Index i) {
-    Index root = i;
-    char against = 0;
+  struct Found {
+    TriangleId root;  // the representative
+    bool against;     // whether the triangle faces the other way than the representative
+  };
+
+  Found find(TriangleId t) {
+    TriangleId root = t;
+    bool against = false;
     while (parent_[root] != root) {
-      against ^= against_[root];
+      against = against != against_parent_.test(root);
       root = parent_[root];
     }
-    for (char rest = against; parent_[i] != root && i != root;) {
-      const Index next = parent_[i];
-      const char step = against_[i];
-      parent_[i] = root;
-      against_[i] = rest;
-      rest ^= step;
-      i = next;
+    // Hang all triangles on the way to the root directly below it.
+    for (bool rest = against; parent_[t] != root && t != root;) {
+      const TriangleId next = parent_[t];
+      const bool step = against_parent_.test(t);
+      parent_[t] = root;
+      against_parent_.set(t, rest);
+      rest = rest != step;
+      t = next;
     }
     return {root, against};
   }
 
-  /// Joins the sets of `a` and `b`; false if they are one already, in which this does not hold.
-  bool join(Index a, Index b, char against) {
-    const auto [root_a, against_a] = find(a);
-    const auto [root_b, against_b] = find(b);
-    const char between = against_a ^ against_b ^ against;
-    if (root_a == root_b) return between == 0;
-    parent_[std::max(root_a, root_b)] = std::min(root_a, root_b);
-    against_[std::max(root_a, root_b)] = between;
+  // Joins the sets of two triangles, which face the same way or not (`against`). Returns false if
+  // they are in one set already and face each other differently there.
+  bool join(TriangleId a, TriangleId b, bool against) {
+    const Found of_a = find(a);
+    const Found of_b = find(b);
+    const bool between = (of_a.against != of_b.against) != against;
+    if (of_a.root == of_b.root) return !between;
+    const TriangleId joined = std::max(of_a.root, of_b.root);
+    parent_[joined] = std::min(of_a.root, of_b.root);
+    against_parent_.set(joined, between);
     return true;
   }
 
  private:
-  std::vector<Index> parent_;
-  std::vector<char> against_;
+  std::vector<TriangleId> parent_;
+  Marks against_parent_;
 };
 
-// Two triangles that run the same way along their edge.
+// Two neighbours that run the same way along their edge.
 struct Disagreement {
-  double length;  // of the edge, squared
-  Index first;
-  Index second;
-  bool remains = false;  // whatever is turned
+  double squared_length;  // of the edge
+  TriangleId first;
+  TriangleId second;
+  bool remains = false;  // the two cannot agree, whatever is turned
 };
 
 class NeighbourWalk {
@@ -69,8 +79,8 @@ class NeighbourWalk {
         points_(points),
         edges_(triangles, static_cast<Index>(points.size())),
         sets_(triangles.size()),
-        trusted_(triangles.size(), 0) {
-    result_.flip.assign(triangles.size(), 0);
+        trusted_(triangles.size()) {
+    result_.must_turn.assign(triangles.size());
     result_.part.assign(triangles.size(), kNone);
     result_.copy_of.assign(triangles.size(), kNone);
   }
@@ -88,36 +98,39 @@ class NeighbourWalk {
 
  private:
   Index points() const { return static_cast<Index>(points_.size()); }
-  bool is_copy(Index triangle) const { return result_.copy_of[triangle] != kNone; }
+  bool is_copy(TriangleId triangle) const { return result_.copy_of[triangle] != kNone; }
 
-  // A component, joined by edges of any kind, in which no edge is used more often in one direction,
-  // is closed and consistently oriented as it is, unless all of its faces lie back to back.
+  // Marks the triangles that are turned rightly as they are. In a component, joined by edges of any
+  // kind, that uses every edge equally often in both directions they are, unless all of its faces
+  // lie back to back.
   void find_trusted() {
     TurnedSets components(triangles_.size());
-    std::vector<Index> unbalanced;
-    bool crowded = false;
+    std::vector<TriangleId> unbalanced;
+    bool manifold = true;
     edges_.for_each_edge([&](Index, std::span<const EdgeSide> edge) {
       std::ptrdiff_t balance = 0;
       for (const EdgeSide& s : edge) {
-        components.join(edge[0].side / 3, s.side / 3, 0);
+        components.join(triangle_of(edge[0].side), triangle_of(s.side), false);
         balance += s.forward ? 1 : -1;
       }
-      crowded = crowded || edge.size() > 2;
-      if (balance != 0) unbalanced.push_back(edge[0].side / 3);
+      manifold = manifold && edge.size() <= 2;
+      if (balance != 0) unbalanced.push_back(triangle_of(edge[0].side));
     });
-    if (!crowded) return;
+    if (manifold) return;  // without edges of three or more triangles nothing is in doubt
     for_each_corner_set(triangles_, points(), [&](std::span<const SortedCorners> group) {
       std::ptrdiff_t balance = 0;
       for (const SortedCorners& s : group) balance += s.turned ? 1 : -1;
-      if (balance != 0) trusted_[components.find(group[0].triangle).first] = 1;
+      if (balance != 0) trusted_.set(components.find(group[0].triangle).root);
     });
-    for (const Index t : unbalanced) trusted_[components.find(t).first] = 0;
-    for (Index t = 0; t < trusted_.size(); ++t) trusted_[t] = trusted_[components.find(t).first];
+    for (const TriangleId t : unbalanced) trusted_.clear(components.find(t).root);
+    for (TriangleId t = 0; t < trusted_.size(); ++t) {
+      trusted_.set(t, trusted_.test(components.find(t).root));
+    }
   }
 
   void find_copies() {
     for_each_corner_set(triangles_, points(), [&](std::span<const SortedCorners> group) {
-      if (trusted_[group[0].triangle] != 0) return;
+      if (trusted_.test(group[0].triangle)) return;
       for (const SortedCorners& other : group.subspan(1)) {
         result_.copy_of[other.triangle] = group[0].triangle;
         sets_.join(group[0].triangle, other.triangle, other.turned != group[0].turned);
@@ -127,67 +140,71 @@ class NeighbourWalk {
 
   void join_neighbours() {
     std::vector<EdgeSide> sides;
-    edges_.for_each_edge([&](Index lower, std::span<const EdgeSide> edge) {
+    edges_.for_each_edge([&](PointId lower, std::span<const EdgeSide> edge) {
       sides.clear();
       for (const EdgeSide& s : edge) {
-        if (!is_copy(s.side / 3)) sides.push_back(s);
+        if (!is_copy(triangle_of(s.side))) sides.push_back(s);
       }
       if (sides.size() != 2) {
-        others_.insert(others_.end(), sides.begin(), sides.end());
-        others_end_.push_back(others_.size());
+        other_sides_.insert(other_sides_.end(), sides.begin(), sides.end());
+        other_sides_end_.push_back(other_sides_.size());
       } else if (sides[0].forward != sides[1].forward) {
-        sets_.join(sides[0].side / 3, sides[1].side / 3, 0);
+        sets_.join(triangle_of(sides[0].side), triangle_of(sides[1].side), false);
       } else {
-        const double length = (points_[lower] - points_[sides[0].upper]).squaredNorm();
-        disagreements_.push_back({length, sides[0].side / 3, sides[1].side / 3});
+        disagreements_.push_back({(points_[lower] - points_[sides[0].upper]).squaredNorm(),
+                                  triangle_of(sides[0].side), triangle_of(sides[1].side)});
       }
     });
     std::sort(disagreements_.begin(), disagreements_.end(),
               [](const Disagreement& a, const Disagreement& b) {
-                return a.length != b.length
-                           ? a.length > b.length
+                return a.squared_length != b.squared_length
+                           ? a.squared_length > b.squared_length
                            : std::array{a.first, a.second} < std::array{b.first, b.second};
               });
     for (Disagreement& d : disagreements_) {
-      d.remains = !sets_.join(d.first, d.second, 1);
+      d.remains = !sets_.join(d.first, d.second, true);
       result_.contradictions += d.remains ? 1 : 0;
     }
   }
 
-  // What closes only together with others stays with them.
+  // Joins trusted sets that are open by themselves along the edges at which they close each other.
   void join_trusted() {
-    std::vector<char> is_open(triangles_.size(), 0);
-    for_each_unbalanced([&](Index root) { is_open[root] = 1; });
-    for (Index t = 0; t < triangles_.size(); ++t) is_open[t] = is_open[sets_.find(t).first];
-    for_each_other([&](std::span<const EdgeSide> edge) {
-      Index first = kNone;
+    Marks is_open(triangles_.size());
+    for_each_unbalanced([&](TriangleId root) { is_open.set(root); });
+    for (TriangleId t = 0; t < triangles_.size(); ++t) {
+      is_open.set(t, is_open.test(sets_.find(t).root));
+    }
+    for_each_other_edge([&](std::span<const EdgeSide> edge) {
+      TriangleId first = kNone;
       for (const EdgeSide& s : edge) {
-        const Index t = s.side / 3;
-        if (trusted_[t] == 0 || is_open[t] == 0) continue;
+        const TriangleId t = triangle_of(s.side);
+        if (!trusted_.test(t) || !is_open.test(t)) continue;
         if (first == kNone) first = t;
-        sets_.join(first, t, 0);
+        sets_.join(first, t, false);
       }
     });
   }
 
+  // Calls `visit(sides)` for each edge of one triangle, or of three or more.
   template <typename Visit>
-  void for_each_other(const Visit& visit) const {
+  void for_each_other_edge(const Visit& visit) const {
     std::size_t begin = 0;
-    for (const std::size_t end : others_end_) {
-      visit(std::span<const EdgeSide>(others_.data() + begin, end - begin));
+    for (const std::size_t end : other_sides_end_) {
+      visit(std::span<const EdgeSide>(other_sides_.data() + begin, end - begin));
       begin = end;
     }
   }
 
-  // Visits the sets that use an edge of one triangle, or of many, more often in one direction.
+  // Calls `visit(root)` for each edge of one triangle, or of three or more, and each set that uses
+  // the edge more often in one direction.
   template <typename Visit>
   void for_each_unbalanced(const Visit& visit) {
-    std::vector<std::pair<Index, int>> uses;
-    for_each_other([&](std::span<const EdgeSide> edge) {
+    std::vector<std::pair<TriangleId, int>> uses;  // root of the set, direction
+    for_each_other_edge([&](std::span<const EdgeSide> edge) {
       uses.clear();
       for (const EdgeSide& s : edge) {
-        const auto [root, against] = sets_.find(s.side / 3);
-        uses.emplace_back(root, s.forward != (against != 0) ? 1 : -1);
+        const TurnedSets::Found found = sets_.find(triangle_of(s.side));
+        uses.emplace_back(found.root, s.forward != found.against ? 1 : -1);
       }
       std::sort(uses.begin(), uses.end());
       for (auto first = uses.begin(); first != uses.end();) {
@@ -201,10 +218,10 @@ class NeighbourWalk {
   }
 
   void number_parts() {
-    for (Index t = 0; t < triangles_.size(); ++t) {
+    for (TriangleId t = 0; t < triangles_.size(); ++t) {
       // The representative of a set is its lowest triangle.
       const auto [root, against] = sets_.find(t);
-      result_.flip[t] = against;
+      result_.must_turn.set(t, against);
       if (root == t) {
         result_.part[t] = static_cast<Index>(result_.parts.size());
         result_.parts.emplace_back().first = t;
@@ -214,20 +231,20 @@ class NeighbourWalk {
   }
 
   void turn_lesser_areas() {
-    for (Index t = 0; t < triangles_.size(); ++t) {
+    for (TriangleId t = 0; t < triangles_.size(); ++t) {
       PartDirection& part = result_.parts[result_.part[t]];
       ++part.triangles;
-      part.oriented = part.oriented && result_.flip[t] == 0;
+      part.oriented = part.oriented && !result_.must_turn.test(t);
       if (is_copy(t)) continue;
       const Triangle& c = triangles_[t];
-      const Vec3 normal = (points_[c[1]] - points_[c[0]]).cross(points_[c[2]] - points_[c[0]]);
-      const double area = 0.5 * normal.norm();
+      const double area =
+          0.5 * doubled_area_vector(points_[c[0]], points_[c[1]], points_[c[2]]).norm();
       part.area += area;
-      if (result_.flip[t] == 0) part.agreeing += area;
+      if (!result_.must_turn.test(t)) part.agreeing += area;
     }
-    for (Index t = 0; t < triangles_.size(); ++t) {
+    for (TriangleId t = 0; t < triangles_.size(); ++t) {
       const PartDirection& part = result_.parts[result_.part[t]];
-      if (2 * part.agreeing < part.area) result_.flip[t] ^= 1;
+      if (2 * part.agreeing < part.area) result_.must_turn.set(t, !result_.must_turn.test(t));
     }
     for (PartDirection& part : result_.parts) {
       part.agreeing = std::max(part.agreeing, part.area - part.agreeing);
@@ -240,17 +257,17 @@ class NeighbourWalk {
       part.oriented = false;
       if (d.remains) part.closed = part.orientable = false;
     }
-    for_each_unbalanced([&](Index root) { result_.parts[result_.part[root]].closed = false; });
+    for_each_unbalanced([&](TriangleId root) { result_.parts[result_.part[root]].closed = false; });
   }
 
   std::span<const Triangle> triangles_;
   const std::vector<Vec3>& points_;
   EdgeSides edges_;
   TurnedSets sets_;
-  std::vector<char> trusted_;
+  Marks trusted_;  // triangles of components that are closed and oriented as they are
   std::vector<Disagreement> disagreements_;
-  std::vector<EdgeSide> others_;         // on edges of one triangle, or of three or more
-  std::vector<std::size_t> others_end_;  // of each such edge
+  std::vector<EdgeSide> other_sides_;         // on edges of one triangle, or of three or more
+  std::vector<std::size_t> other_sides_end_;  // per such edge
   NeighbourDirections result_;
 };
 

@@ -1,40 +1,45 @@
 // SPDX-License-Identifier: MIT
-// Turning triangles so that neighbours agree.
+// Turns triangles so that neighbours agree.
 #pragma once
 
 #include <span>
 #include <vector>
 
-#include "kdmanifold/types.h"
+#include "mesh/marks.h"
+#include "mesh/numbers.h"
 
 namespace kdm {
 
-/// A set of triangles that edges join; where most of its area looks is its direction.
+/// A part of the mesh, joined by edges. It faces the way in which most of its area faced before.
 struct PartDirection {
-  Index first = kNone;     ///< its lowest triangle
-  Index triangles = 0;     ///< copies among them
-  double area = 0;         ///< without copies
-  double agreeing = 0;     ///< how much of it keeps its direction, at least half
-  bool closed = true;      ///< once turned, it uses every edge equally often in both directions
-  bool oriented = true;    ///< none of its triangles has to be turned against the others
-  bool orientable = true;  ///< no contradiction stays
+  TriangleId first = kNone;  ///< the lowest of its triangles
+  Index triangles = 0;       ///< how many triangles it has, copies among them
+  double area = 0;           ///< of its triangles without copies, in squared units of the points
+  double agreeing = 0;       ///< area of the triangles that need not be turned: half or more
+  bool closed = true;        ///< once turned, it uses every edge equally often both ways
+  bool oriented = true;      ///< its triangles agreed before
+  bool orientable = true;    ///< no two neighbours disagree once it is turned
 };
 
 struct NeighbourDirections {
-  std::vector<char> flip;   ///< 1: this triangle must be turned
-  std::vector<Index> part;  ///< of each triangle
-  /// The first triangle over the same three corners, if there is an earlier one, else kNone. Copies
-  /// are turned as it is and belong to its part.
-  std::vector<Index> copy_of;
+  Marks must_turn;          ///< the triangles that must be turned
+  std::vector<Index> part;  ///< for each triangle the number of its part
+  /// For each triangle the first one over the same three points; kNone if it is that itself. Such
+  /// a copy comes to face the same way as the first one and belongs to the same part.
+  std::vector<TriangleId> copy_of;
   std::vector<PartDirection> parts;  ///< in order of their first triangles
-  Index contradictions = 0;          ///< edges of two triangles that cannot agree (Moebius strips)
+  Index contradictions = 0;          ///< edges whose two triangles cannot agree (Moebius strips)
 };
 
-/// Finds the parts, joined by edges of exactly two triangles (copies count once; edges of more do
-/// not tell which of them continue each other), and turns the lesser area of each where its
-/// triangles disagree. Where a part cannot be oriented, contradictions stay between triangles that
-/// contradicted each other before, on the shortest edges that will do. `points` must be scaled
-/// so that squares of areas are in range. n log n in the edges that disagree, else linear.
+/// Finds the parts of a mesh and which triangles must be turned for neighbours to agree.
+///
+/// Parts are joined by edges of exactly two triangles, copies counting once: an edge of more does
+/// not tell which triangles continue each other. Where the triangles of a part disagree, those that
+/// have less area together are turned. Where a part cannot be oriented, contradictions stay on some
+/// of the edges whose triangles disagreed before, the shortest ones that will do.
+///
+/// `points` must be scaled so that squares of areas neither overflow nor underflow. Takes time n
+/// log n in the edges that disagree, else linear.
 NeighbourDirections orient_neighbours(std::span<const Triangle> triangles,
                                       const std::vector<Vec3>& points);
 

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Parts as a whole: volumes and visibility. Nothing is looked at where the answer is known: one
-// closed part needs no ray.
+// Decides about parts as a whole by their volumes and by what can be seen of them. No ray is
+// followed where the answer is known without: a single closed part needs none.
 #include "prepare/orient.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numeric>
 #include <optional>
 
+#include "geometry/triangle.h"
+#include "mesh/boxes.h"
+#include "mesh/groups.h"
 #include "mesh/scale.h"
 #include "prepare/neighbours.h"
 #include "prepare/sight.h"
@@ -17,32 +18,35 @@
 namespace kdm {
 namespace {
 
-// Lines through points of a part, a ray to either side of the surface. Many parts share the budget;
-// closed ones, which mostly need one ray, all get some, of open ones only the largest.
+// A part is looked at along lines through points of it, with a ray to either side of the surface.
+// All parts share `kLineBudget`, but each gets `kLeastLines` to `kMostLines`. Closed parts, most of
+// which need a single ray, always get theirs; of open parts only the largest do.
 constexpr Index kMostLines = 512;
 constexpr Index kLeastLines = 8;
-constexpr Index kBudget = 8192;
-constexpr Index kBatch = 16;
-// Shares of the lines.
-constexpr double kSeen = 1.0 / 20;  // fewer rays that leave: enclosed
-constexpr double kClear = 1.0 / 2;  // a difference that needs no further lines
-constexpr double kSheet = 0.85;     // one side sees at least this share of what the other sees
-// Of area^(3/2): a ball has 0.09.
-constexpr double kNoVolume = 1e-7;
-constexpr double kSomeVolume = 0.01;
-constexpr double kDirected = 2.0 / 3;  // of the area
+constexpr Index kLineBudget = 8192;
+constexpr Index kLinesPerBatch = 16;  // after each batch it is seen whether they suffice
 
-// What is known of a part beyond its report.
+// Shares of the lines.
+constexpr double kLeastSeenShare = 1.0 / 20;  // if fewer rays leave, the part is enclosed
+constexpr double kClearDifference = 1.0 / 2;  // front and back differ by this: no further lines
+constexpr double kLeastSheetLikeness = 0.85;  // of a sheet, less seen side to more seen side
+
+// Volumes as shares of area^(3/2), of which a ball has 0.09.
+constexpr double kMostRoundingVolume = 1e-7;  // what rounding errors make of no volume at all
+constexpr double kLeastTellingVolume = 0.01;  // the sign of a smaller volume says nothing
+
+constexpr double kLeastAgreeingShare = 2.0 / 3;  // of an enclosed part's area, for it to stay
+
+// What is measured of a part, its triangles without copies turned to agree.
 struct Shape {
-  Index begin = 0;  // its triangles in the list by part, copies left out
-  Index end = 0;
-  double volume = 0;    // about the centroid
-  double flatness = 1;  // length of the sum of its area vectors over its area
-  bool touches_bounds = false;
+  double volume = 0;            // about the centroid
+  double flatness = 1;          // length of the sum of its area vectors, divided by its area
+  bool touches_bounds = false;  // reaches a side of the mesh's box, so it can be seen
 };
 
-struct Seen {
-  double front = 0;  // share of rays that leave
+// The shares of rays from the two sides of a part that leave the mesh.
+struct Visibility {
+  double front = 0;
   double back = 0;
 };
 
@@ -53,11 +57,11 @@ class Orienter {
         scaled_(scale_to_one(points, triangles)),
         neighbours_(orient_neighbours(triangles, scaled_.positions)),
         shapes_(neighbours_.parts.size()),
-        turn_(neighbours_.parts.size(), 0) {}
+        turn_part_(neighbours_.parts.size()) {}
 
   Orientation run() {
     list_by_part();
-    measure();
+    measure_parts();
     limit_parts();
     result_.parts.resize(shapes_.size());
     for (Index p = 0; p < shapes_.size(); ++p) decide(p);
@@ -67,119 +71,110 @@ class Orienter {
   }
 
  private:
-  bool is_copy(Index t) const { return neighbours_.copy_of[t] != kNone; }
+  const Vec3& position(PointId point) const { return scaled_.positions[point]; }
 
-  // Six times the area vector's third: the cross product of two sides, as turned by neighbours.
-  Vec3 cross(Index t) const {
+  // Twice the triangle's area vector, once neighbours agree.
+  Vec3 doubled_area(TriangleId t) const {
     const Triangle& c = triangles_[t];
-    const Vec3 product = (scaled_.positions[c[1]] - scaled_.positions[c[0]])
-                             .cross(scaled_.positions[c[2]] - scaled_.positions[c[0]]);
-    return neighbours_.flip[t] != 0 ? Vec3(-product) : product;
+    const Vec3 doubled = doubled_area_vector(position(c[0]), position(c[1]), position(c[2]));
+    return neighbours_.must_turn.test(t) ? Vec3(-doubled) : doubled;
   }
 
   void list_by_part() {
-    for (Index t = 0; t < triangles_.size(); ++t) {
-      if (!is_copy(t)) ++shapes_[neighbours_.part[t]].end;
-    }
-    Index total = 0;
-    for (Shape& shape : shapes_) {
-      const Index count = shape.end;
-      shape.begin = shape.end = total;
-      total += count;
-    }
-    by_part_.resize(total);
-    for (Index t = 0; t < triangles_.size(); ++t) {
-      if (!is_copy(t)) by_part_[shapes_[neighbours_.part[t]].end++] = t;
-    }
+    by_part_ = Groups(shapes_.size(), [&](const auto& put) {
+      for (TriangleId t = 0; t < triangles_.size(); ++t) {
+        if (neighbours_.copy_of[t] == kNone) put(neighbours_.part[t], t);
+      }
+    });
   }
 
-  void measure() {
-    area_up_to_.reserve(by_part_.size());
-    std::vector<Box> boxes;
-    for (Shape& shape : shapes_) {
-      Vec3 centroid = Vec3::Zero();
-      Vec3 normal = Vec3::Zero();
-      double area = 0;
-      Box box{scaled_.positions[triangles_[by_part_[shape.begin]][0]],
-              scaled_.positions[triangles_[by_part_[shape.begin]][0]]};
-      for (Index i = shape.begin; i < shape.end; ++i) {
-        const Index t = by_part_[i];
-        const Vec3 product = cross(t);
-        const double size = product.norm();
-        area += size / 2;
-        normal += product / 2;
-        area_up_to_.push_back(area);
-        for (const Index corner : triangles_[t]) {
-          centroid += scaled_.positions[corner] * (size / 6);
-          box.min = box.min.cwiseMin(scaled_.positions[corner]);
-          box.max = box.max.cwiseMax(scaled_.positions[corner]);
-        }
+  // Measures a part and returns its box.
+  Box measure(Index p) {
+    Shape& shape = shapes_[p];
+    Vec3 centroid = Vec3::Zero();
+    Vec3 area_vector = Vec3::Zero();
+    double area = 0;
+    Box box;
+    for (const TriangleId t : by_part_.of(p)) {
+      const Vec3 doubled = doubled_area(t);
+      const double size = doubled.norm();
+      area += size / 2;
+      area_vector += doubled / 2;
+      area_up_to_.push_back(area);
+      for (const PointId corner : triangles_[t]) {
+        centroid += position(corner) * (size / 6);
+        grow(box, position(corner));
       }
-      boxes.push_back(box);
-      if (!(area > 0)) continue;
-      centroid /= area;
-      for (Index i = shape.begin; i < shape.end; ++i) {
-        const Index t = by_part_[i];
-        shape.volume += (scaled_.positions[triangles_[t][0]] - centroid).dot(cross(t)) / 6;
-      }
-      shape.flatness = normal.norm() / area;
     }
+    if (!(area > 0)) return box;
+    centroid /= area;
+    for (const TriangleId t : by_part_.of(p)) {
+      shape.volume += (position(triangles_[t][0]) - centroid).dot(doubled_area(t)) / 6;
+    }
+    shape.flatness = area_vector.norm() / area;
+    return box;
+  }
+
+  void measure_parts() {
+    area_up_to_.reserve(by_part_.items().size());
+    std::vector<Box> boxes;
+    for (Index p = 0; p < shapes_.size(); ++p) boxes.push_back(measure(p));
     if (boxes.empty()) return;
     Box all = boxes[0];
-    for (const Box& box : boxes) {
-      all.min = all.min.cwiseMin(box.min);
-      all.max = all.max.cwiseMax(box.max);
-    }
+    for (const Box& box : boxes) grow(all, box);
     for (Index p = 0; p < shapes_.size(); ++p) {
       shapes_[p].touches_bounds = (boxes[p].min.array() == all.min.array()).any() ||
                                   (boxes[p].max.array() == all.max.array()).any();
     }
   }
 
-  double size_of(Index part) const {
-    const double area = neighbours_.parts[part].area;
+  // The volume of a part is compared with its area to the power of 3/2.
+  double volume_unit(Index p) const {
+    const double area = neighbours_.parts[p].area;
     return area * std::sqrt(area);
   }
 
-  bool has_volume(Index p) const {
+  bool has_negative_volume(Index p) const {
     return neighbours_.parts[p].orientable &&
-           std::abs(shapes_[p].volume) > kSomeVolume * size_of(p);
+           std::abs(shapes_[p].volume) > kLeastTellingVolume * volume_unit(p) &&
+           shapes_[p].volume < 0;
   }
 
+  // Decides about a part, unless it is enclosed: then it is only found that it is.
   void decide(Index p) {
     const Shape& shape = shapes_[p];
     OrientedPart& part = result_.parts[p];
     part.closed = neighbours_.parts[p].closed;
-    if (part.closed && std::abs(shape.volume) <= kNoVolume * size_of(p)) {
+    if (part.closed && std::abs(shape.volume) <= kMostRoundingVolume * volume_unit(p)) {
       part.sheet = true;
       return;
     }
     if (part.closed) {
       // The sign of the volume tells the outer side; rays only tell whether anybody sees it.
       part.enclosed = !shape.touches_bounds && !can_be_seen(p, shape.volume > 0);
-      turn_[p] = !part.enclosed && shape.volume < 0 ? 1 : 0;
+      turn_part_.set(p, !part.enclosed && shape.volume < 0);
       return;
     }
     if (lines_for(p) == 0) {
-      part.sheet = shape.flatness >= kSheet;
+      part.sheet = shape.flatness >= kLeastSheetLikeness;
       return;
     }
-    const Seen seen = look(p);
-    part.enclosed = seen.front + seen.back < kSeen;
+    const Visibility seen = look(p);
+    part.enclosed = seen.front + seen.back < kLeastSeenShare;
     const double more = std::max(seen.front, seen.back);
     const double less = std::min(seen.front, seen.back);
-    part.sheet = (part.enclosed ? shape.flatness : less / more) >= kSheet;
+    part.sheet = (part.enclosed ? shape.flatness : less / more) >= kLeastSheetLikeness;
     if (part.sheet) {
-      turn_[p] = has_volume(p) && shape.volume < 0 ? 1 : 0;
+      turn_part_.set(p, has_negative_volume(p));
     } else if (!part.enclosed) {
-      turn_[p] = seen.back > seen.front ? 1 : 0;
+      turn_part_.set(p, seen.back > seen.front);
     }
   }
 
-  // Whether as many lines as can be had see out on that side.
+  // Tells whether enough rays leave the mesh from one side of a part. Stops as soon as they do.
   bool can_be_seen(Index p, bool front) {
     const Index lines = lines_for(p);
-    const double enough = kSeen * lines;
+    const double enough = kLeastSeenShare * lines;
     Index seen = 0;
     for (Index i = 0; i < lines; ++i) {
       seen += sees_out(p, i, front) ? 1 : 0;
@@ -188,18 +183,19 @@ class Orienter {
     return false;
   }
 
-  Seen look(Index p) {
+  // Follows rays from both sides of a part until the difference is clear or no line is left.
+  Visibility look(Index p) {
     const Index lines = lines_for(p);
     Index front = 0;
     Index back = 0;
     Index done = 0;
     while (done < lines) {
-      for (const Index stop = std::min(done + kBatch, lines); done < stop; ++done) {
+      for (const Index stop = std::min(done + kLinesPerBatch, lines); done < stop; ++done) {
         front += sees_out(p, done, true) ? 1 : 0;
         back += sees_out(p, done, false) ? 1 : 0;
       }
       const Index difference = front > back ? front - back : back - front;
-      if (difference > kClear * done) break;
+      if (difference > kClearDifference * done) break;
     }
     const double total = done;
     return {front / total, back / total};
@@ -207,43 +203,51 @@ class Orienter {
 
   Index lines_for(Index p) const {
     const double area = neighbours_.parts[p].area;
-    if (!(area > 0) || (!neighbours_.parts[p].closed && area < least_area_)) return 0;
-    const auto share = kBudget / static_cast<Index>(shapes_.size());
+    if (!(area > 0) || (!neighbours_.parts[p].closed && area < least_open_area_)) return 0;
+    const auto share = kLineBudget / static_cast<Index>(shapes_.size());
     return std::clamp<Index>(share, kLeastLines, kMostLines);
   }
 
-  // Open parts below this area get no line.
+  // Finds the area below which open parts get no line, so that the others get enough.
   void limit_parts() {
     std::vector<double> areas;
     for (const PartDirection& part : neighbours_.parts) {
       if (!part.closed) areas.push_back(part.area);
     }
-    constexpr std::size_t kMostParts = kBudget / kLeastLines;
+    constexpr std::size_t kMostParts = kLineBudget / kLeastLines;
     if (areas.size() <= kMostParts) return;
     const auto last = areas.begin() + kMostParts - 1;
     std::nth_element(areas.begin(), last, areas.end(), std::greater<double>());
-    least_area_ = *last;
+    least_open_area_ = *last;
   }
 
-  // The `number`-th line of a part: points by area in a sequence of low discrepancy (powers of the
-  // root of x^4 = x + 1), directions by the cosine to the normal.
-  bool sees_out(Index p, Index number, bool front) {
+  void prepare_sight() {
+    Marks copies;
+    copies.reserve(triangles_.size());
+    for (const TriangleId first : neighbours_.copy_of) copies.push_back(first != kNone);
+    sight_.emplace(triangles_, scaled_.positions, copies);
+    directions_ = spread_directions(kMostLines);
+  }
+
+  struct SurfacePoint {
+    TriangleId triangle;
+    Vec3 position;
+  };
+
+  // Returns a point of a part, from a sequence in which points are spread evenly by area: a
+  // sequence of low discrepancy in three dimensions, whose steps are the powers of 1/x for the root
+  // x of x^4 = x + 1. The first dimension picks the triangle, the others the point on it.
+  SurfacePoint point_of(Index p, Index number) const {
     constexpr double kStep[] = {0.8191725133961644, 0.6710436067037893, 0.5497004779019701};
-    if (!sight_) {
-      std::vector<char> copies;
-      for (const Index first : neighbours_.copy_of) copies.push_back(first != kNone ? 1 : 0);
-      sight_.emplace(triangles_, scaled_.positions, copies);
-      directions_ = spread_directions(kMostLines);
-    }
     const auto fraction = [&](int k) {
       const double x = 0.5 + kStep[k] * (number + 1);
       return x - std::floor(x);
     };
-    const Shape& shape = shapes_[p];
-    const auto first = area_up_to_.begin() + shape.begin;
-    const auto last = area_up_to_.begin() + shape.end - 1;
+    const std::span<const TriangleId> triangles = by_part_.of(p);
+    const auto first = area_up_to_.begin() + by_part_.items_before(p);
+    const auto last = first + static_cast<std::ptrdiff_t>(triangles.size()) - 1;
     const auto at = std::lower_bound(first, last, fraction(0) * *last);
-    const Index t = by_part_[static_cast<std::size_t>(at - area_up_to_.begin())];
+    const TriangleId t = triangles[static_cast<std::size_t>(at - first)];
     double u = fraction(1);
     double v = fraction(2);
     if (u + v > 1) {
@@ -251,40 +255,46 @@ class Orienter {
       v = 1 - v;
     }
     const Triangle& c = triangles_[t];
-    const Vec3& a = scaled_.positions[c[0]];
-    const Vec3 origin = a + u * (scaled_.positions[c[1]] - a) + v * (scaled_.positions[c[2]] - a);
-    const Vec3 normal = cross(t).normalized();
-    Vec3 direction = (front ? normal : Vec3(-normal)) + directions_[number];
-    return sight_->escapes(origin, direction, t);
+    const Vec3& a = position(c[0]);
+    return {t, a + u * (position(c[1]) - a) + v * (position(c[2]) - a)};
   }
 
-  // If most of what shows is inside out, all is.
+  // Tells whether the ray along a part's line of this number leaves the mesh, on the front or the
+  // back of the surface. Directions are spread by the cosine of their angle to the normal.
+  bool sees_out(Index p, Index number, bool front) {
+    if (!sight_) prepare_sight();
+    const SurfacePoint from = point_of(p, number);
+    const Vec3 normal = doubled_area(from.triangle).normalized();
+    const Vec3 direction = (front ? normal : Vec3(-normal)) + directions_[number];
+    return sight_->escapes(from.position, direction, from.triangle);
+  }
+
+  // Turns enclosed parts as orient.h says: if most of the area that can be seen is inside out, the
+  // whole mesh is.
   void decide_enclosed() {
     double kept = 0;
     double turned = 0;
     for (Index p = 0; p < shapes_.size(); ++p) {
       if (result_.parts[p].enclosed || result_.parts[p].sheet) continue;
-      (turn_[p] != 0 ? turned : kept) += neighbours_.parts[p].area;
+      (turn_part_.test(p) ? turned : kept) += neighbours_.parts[p].area;
     }
     for (Index p = 0; p < shapes_.size(); ++p) {
       if (!result_.parts[p].enclosed) continue;
       const PartDirection& part = neighbours_.parts[p];
-      if (part.agreeing >= kDirected * part.area) {
-        turn_[p] = turned > kept ? 1 : 0;
-      } else {
-        turn_[p] = has_volume(p) && shapes_[p].volume < 0 ? 1 : 0;
-      }
+      const bool agrees = part.agreeing >= kLeastAgreeingShare * part.area;
+      turn_part_.set(p, agrees ? turned > kept : has_negative_volume(p));
     }
   }
 
   void report() {
-    result_.flip = std::move(neighbours_.flip);
+    result_.must_turn = std::move(neighbours_.must_turn);
     result_.part = std::move(neighbours_.part);
     result_.copy_of = std::move(neighbours_.copy_of);
     result_.contradictions = neighbours_.contradictions;
-    for (Index t = 0; t < triangles_.size(); ++t) {
-      result_.flip[t] ^= turn_[result_.part[t]];
-      result_.flipped_triangles += result_.flip[t] != 0 ? 1 : 0;
+    for (TriangleId t = 0; t < triangles_.size(); ++t) {
+      const bool turn = result_.must_turn.test(t) != turn_part_.test(result_.part[t]);
+      result_.must_turn.set(t, turn);
+      result_.flipped_triangles += turn ? 1 : 0;
       result_.copies += result_.copy_of[t] != kNone ? 1 : 0;
     }
     for (Index p = 0; p < shapes_.size(); ++p) {
@@ -293,7 +303,7 @@ class Orienter {
       part.triangles = neighbours_.parts[p].triangles;
       part.area = std::ldexp(neighbours_.parts[p].area, 2 * scaled_.exponent);
       part.oriented = neighbours_.parts[p].oriented;
-      part.flipped = turn_[p] != 0;  // neighbours keep the direction of most of it
+      part.flipped = turn_part_.test(p);  // neighbours keep the direction of most of its area
       result_.flipped_parts += part.flipped ? 1 : 0;
       result_.sheets += part.sheet ? 1 : 0;
     }
@@ -303,10 +313,10 @@ class Orienter {
   ScaledPositions scaled_;
   NeighbourDirections neighbours_;
   std::vector<Shape> shapes_;
-  std::vector<char> turn_;          // of each part, beyond what neighbours ask for
-  std::vector<Index> by_part_;      // triangles without copies, part after part
-  std::vector<double> area_up_to_;  // of the part's triangles up to each of these
-  double least_area_ = 0;
+  Marks turn_part_;                 // parts to be turned once their neighbours agree
+  Groups by_part_;                  // triangles without copies
+  std::vector<double> area_up_to_;  // per item of by_part_: area of its part's items up to it
+  double least_open_area_ = 0;      // smaller open parts are not looked at
   std::optional<Sight> sight_;
   std::vector<Vec3> directions_;
   Orientation result_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Points and planes of a sheet's rim.
+// Points and planes at the rim of a surface.
 #include "prepare/rim.h"
 
 #include <Eigen/Geometry>
@@ -10,18 +10,18 @@ namespace {
 
 struct Segment {
   Vec3 from;
-  Vec3 along;
+  Vec3 along;  // from one end to the other
 };
 
-Segment segment_of(const Surface& surface, Index side) {
-  const LatticeTriangle& t = surface.triangles[side / 3];
-  const Vec3 from = to_vec3(t[side % 3]);
-  return {from, to_vec3(t[next_corner(static_cast<int>(side % 3))]) - from};
+Segment segment_of(const Surface& surface, SideId side) {
+  const LatticeTriangle& t = surface.triangles[triangle_of(side)];
+  const Vec3 from = to_vec3(t[corner_of(side)]);
+  return {from, to_vec3(t[next_corner(corner_of(side))]) - from};
 }
 
 }  // namespace
 
-Plane rim_plane(const Surface& surface, Index side, const Vec3& face_normal) {
+Plane rim_plane(const Surface& surface, SideId side, const Vec3& face_normal) {
   const Segment segment = segment_of(surface, side);
   const Vec3 normal = segment.along.cross(face_normal);
   const double length = normal.norm();
@@ -29,12 +29,12 @@ Plane rim_plane(const Surface& surface, Index side, const Vec3& face_normal) {
   return {normal / length, normal.dot(segment.from) / length};
 }
 
-Vec3 rim_point(const Surface& surface, Index side, int axis, std::int32_t value) {
+Vec3 rim_point(const Surface& surface, SideId side, int axis, std::int32_t value) {
   const Segment segment = segment_of(surface, side);
   return segment.from + (value - segment.from[axis]) / segment.along[axis] * segment.along;
 }
 
-Vec3 rim_middle(const Surface& surface, Index side, const LatticeBox& box) {
+Vec3 rim_middle(const Surface& surface, SideId side, const LatticeBox& box) {
   const Segment segment = segment_of(surface, side);
   double enters = 0;
   double leaves = 1;

@@ -1,25 +1,27 @@
 // SPDX-License-Identifier: MIT
-// The rim of a sheet: sides of triangles that have no twin.
+// Points and planes at the rim of a surface, which consists of the sides without opposite.
 #pragma once
 
 #include "prepare/surface.h"
 
 namespace kdm {
 
-/// The plane through the side of a triangle (numbered as in Topology) that stands upright on the
-/// triangle, whose normal is given; zero where that is.
-Plane rim_plane(const Surface& surface, Index side, const Vec3& face_normal);
+/// Returns the plane that contains a side of a triangle and stands upright on the triangle, whose
+/// normal is given. Its normal is zero if the triangle's is. Coordinates are lattice units here and
+/// below.
+Plane rim_plane(const Surface& surface, SideId side, const Vec3& face_normal);
 
-/// The point where the side crosses the lattice plane `value` of `axis`, which it must.
-Vec3 rim_point(const Surface& surface, Index side, int axis, std::int32_t value);
+/// Returns the point where the side crosses the lattice plane `value` of `axis`. It must cross it.
+Vec3 rim_point(const Surface& surface, SideId side, int axis, std::int32_t value);
 
-/// The middle of the side's part in the box, rounded.
-Vec3 rim_middle(const Surface& surface, Index side, const LatticeBox& box);
+/// Returns about the middle of the part of the side that lies in the box.
+Vec3 rim_middle(const Surface& surface, SideId side, const LatticeBox& box);
 
-/// Were two rims that leave a face at these points one before rounding?
+/// Tells whether two rims that cross a lattice plane at these points are so near to each other that
+/// they may have been one before their corners were rounded.
 inline bool is_seam(const Vec3& a, const Vec3& b) {
-  constexpr double kSeam = 2;  // lattice units
-  return (a - b).norm() <= kSeam;
+  constexpr double kMostDistance = 2;  // rounding moves a corner by less than one lattice unit
+  return (a - b).norm() <= kMostDistance;
 }
 
 }  // namespace kdm

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Cracks: sides that face each other across next to nothing.
+// Finds for each rim side the nearest other one, and joins sides that have found each other.
 //
-// Only rims are joined, and only whole sides: so parts that lie close to each other stay apart, and
-// no triangle shrinks because it is small. Largest coordinate differences stand for lengths: they
-// neither overflow nor underflow.
+// Only rim sides are joined, and only as a whole: so parts that lie close to each other stay apart,
+// and no triangle shrinks because it is small. Lengths are measured by the largest difference of
+// coordinates, which neither overflows nor underflows.
 #include "prepare/sew.h"
 
 #include <algorithm>
@@ -15,48 +15,50 @@
 namespace kdm {
 namespace {
 
-// Corners moved together bring other sides within reach.
+// Points that were joined may bring other sides within reach, so the search is repeated.
 constexpr int kRounds = 3;
-// No more sides are compared with one: thousands may lie in one place.
+// Limits the sides that one side is compared with: thousands may lie in one place.
 constexpr int kMostCandidates = 64;
 
 double distance_between(const Vec3& a, const Vec3& b) { return (a - b).cwiseAbs().maxCoeff(); }
 
-struct Rim {
-  Index triangle;
-  Index from;
-  Index to;
-  double reach;  // how far ends may be apart
+struct RimSide {
+  TriangleId triangle;
+  PointId from;
+  PointId to;
+  double reach;  // how far the ends of another side may be from its own
 };
 
+// The rim side that lies nearest to another one.
 struct Match {
-  Index other = kNone;
-  double distance = 0;
+  Index other = kNone;  // its number among the rim sides
+  double distance = 0;  // between the ends that are further apart
   bool same_direction = false;
 };
 
-std::vector<Rim> find_rims(double distance, const std::vector<Triangle>& triangles,
-                           const std::vector<Vec3>& points) {
-  std::vector<Rim> rims;
+std::vector<RimSide> find_rim_sides(double distance, const std::vector<Triangle>& triangles,
+                                    const std::vector<Vec3>& points) {
+  std::vector<RimSide> rims;
   const EdgeSides edges(triangles, static_cast<Index>(points.size()));
   edges.for_each_edge([&](Index, std::span<const EdgeSide> sides) {
     if (sides.size() != 1) return;
-    const Index side = sides[0].side;
-    const Triangle& t = triangles[side / 3];
-    const Index from = t[side % 3];
-    const Index to = t[next_corner(static_cast<int>(side % 3))];
+    const SideId side = sides[0].side;
+    const Triangle& t = triangles[triangle_of(side)];
+    const PointId from = t[corner_of(side)];
+    const PointId to = t[next_corner(corner_of(side))];
     const double reach = std::min(distance, 0.5 * distance_between(points[from], points[to]));
-    if (reach > 0) rims.push_back({side / 3, from, to, reach});
+    if (reach > 0) rims.push_back({triangle_of(side), from, to, reach});
   });
   return rims;
 }
 
-class Sewing {
+class MatchFinder {
  public:
-  Sewing(const std::vector<Rim>& rims, const std::vector<Vec3>& points)
+  MatchFinder(const std::vector<RimSide>& rims, const std::vector<Vec3>& points)
       : rims_(rims), points_(points), boxes_(boxes_of(rims, points)), tree_(boxes_) {}
 
-  // Of the sides within reach the nearest; of equally near ones that which runs the other way.
+  // Finds the nearest of the rim sides within reach of side i; of equally near ones the one that
+  // runs the other way, then the one with the lower number.
   Match nearest(Index i) const {
     Match best;
     int candidates = 0;
@@ -79,11 +81,13 @@ class Sewing {
   }
 
  private:
-  // Middles of sides that belong together are no further apart than their ends.
-  static std::vector<Box> boxes_of(const std::vector<Rim>& rims, const std::vector<Vec3>& points) {
+  // Returns a box round the middle of each side, so that the boxes of sides that belong together
+  // meet: their middles are no further apart than their ends.
+  static std::vector<Box> boxes_of(const std::vector<RimSide>& rims,
+                                   const std::vector<Vec3>& points) {
     std::vector<Box> boxes;
     boxes.reserve(rims.size());
-    for (const Rim& rim : rims) {
+    for (const RimSide& rim : rims) {
       const Vec3 middle = 0.5 * points[rim.from] + 0.5 * points[rim.to];
       const Vec3 half = Vec3::Constant(0.5 * rim.reach);
       boxes.push_back({middle - half, middle + half});
@@ -91,28 +95,29 @@ class Sewing {
     return boxes;
   }
 
-  double gap(const Rim& a, const Rim& b, bool same_direction) const {
+  // Returns the distance between the ends that are further apart.
+  double gap(const RimSide& a, const RimSide& b, bool same_direction) const {
     return std::max(distance_between(points_[a.from], points_[same_direction ? b.from : b.to]),
                     distance_between(points_[a.to], points_[same_direction ? b.to : b.from]));
   }
 
-  const std::vector<Rim>& rims_;
+  const std::vector<RimSide>& rims_;
   const std::vector<Vec3>& points_;
   std::vector<Box> boxes_;
   BoxTree tree_;
 };
 
-// Gives all corners of a set its lowest number, and that the mean of their positions.
+// Replaces the points of each set by the one with the lowest number, and moves that to their mean.
 void move_together(DisjointSets& sets, std::vector<Triangle>& triangles,
                    std::vector<Vec3>& points) {
   std::vector<Index> size(points.size(), 0);
-  for (Index p = 0; p < points.size(); ++p) ++size[sets.find(p)];
+  for (PointId p = 0; p < points.size(); ++p) ++size[sets.find(p)];
   std::vector<Vec3> means(points.size(), Vec3::Zero());
-  for (Index p = 0; p < points.size(); ++p) {
-    const Index set = sets.find(p);
+  for (PointId p = 0; p < points.size(); ++p) {
+    const PointId set = sets.find(p);
     if (size[set] > 1) means[set] += points[p] / size[set];
   }
-  for (Index p = 0; p < points.size(); ++p) {
+  for (PointId p = 0; p < points.size(); ++p) {
     if (size[p] > 1) points[p] = means[p];
   }
   for (Triangle& t : triangles) {
@@ -125,11 +130,11 @@ void move_together(DisjointSets& sets, std::vector<Triangle>& triangles,
 Index sew_rims(double distance, std::vector<Triangle>& triangles, std::vector<Vec3>& points) {
   Index sewn = 0;
   for (int round = 0; round < kRounds; ++round) {
-    const std::vector<Rim> rims = find_rims(distance, triangles, points);
-    const Sewing sewing(rims, points);
+    const std::vector<RimSide> rims = find_rim_sides(distance, triangles, points);
+    const MatchFinder finder(rims, points);
     std::vector<Match> matches;
     matches.reserve(rims.size());
-    for (Index i = 0; i < rims.size(); ++i) matches.push_back(sewing.nearest(i));
+    for (Index i = 0; i < rims.size(); ++i) matches.push_back(finder.nearest(i));
     DisjointSets sets(points.size());
     const Index before = sewn;
     for (Index i = 0; i < rims.size(); ++i) {

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: MIT
-// The ray is sheared onto an axis; then a triangle is hit if the origin lies within its outline,
-// and the signs on either side of an edge are each other's negative exactly (S. Woop, C. Benthin,
-// I. Wald, Watertight Ray/Triangle Intersection, 2013).
+// Shears space so that the ray runs along an axis; then the ray meets a triangle if its origin lies
+// within the triangle's outline, seen along that axis. The two triangles at an edge find signs that
+// are exact opposites there, so no ray slips through between them (S. Woop, C. Benthin, I. Wald,
+// Watertight Ray/Triangle Intersection, 2013).
 #include "prepare/sight.h"
 
 #include <cmath>
 
+#include "mesh/boxes.h"
+
 namespace kdm {
 namespace {
 
+// How near triangles are overlooked, as a part of the diagonal of the mesh's box.
 constexpr double kOverlooked = 1e-7;
 
 class ShearedRay {
@@ -22,8 +26,9 @@ class ShearedRay {
     forward_ = direction[z_] > 0;
   }
 
-  /// Whether it meets the triangle further than `nearest` along the ray's longest axis.
-  bool meets(const Vec3& a, const Vec3& b, const Vec3& c, double nearest) const {
+  // Tells whether the ray meets the triangle further away than `least_distance`, measured along the
+  // axis on which the ray moves most.
+  bool meets(const Vec3& a, const Vec3& b, const Vec3& c, double least_distance) const {
     const Vec3 p = sheared(a);
     const Vec3 q = sheared(b);
     const Vec3 r = sheared(c);
@@ -32,9 +37,9 @@ class ShearedRay {
     const double w = q[0] * p[1] - q[1] * p[0];
     if ((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0)) return false;
     const double sum = u + v + w;
-    if (sum == 0) return false;  // edge on: its neighbours stop the ray
+    if (sum == 0) return false;  // seen edge-on: its neighbours stop the ray
     const double distance = (u * p[2] + v * q[2] + w * r[2]) / sum;
-    return (forward_ ? distance : -distance) > nearest;
+    return (forward_ ? distance : -distance) > least_distance;
   }
 
  private:
@@ -52,23 +57,21 @@ class ShearedRay {
   bool forward_ = true;
 };
 
-std::vector<Index> numbers_of(const std::vector<char>& left_out) {
-  std::vector<Index> numbers;
-  for (Index t = 0; t < left_out.size(); ++t) {
-    if (left_out[t] == 0) numbers.push_back(t);
+std::vector<TriangleId> all_but(const Marks& left_out) {
+  std::vector<TriangleId> numbers;
+  for (TriangleId t = 0; t < left_out.size(); ++t) {
+    if (!left_out.test(t)) numbers.push_back(t);
   }
   return numbers;
 }
 
 std::vector<Box> boxes_of(std::span<const Triangle> triangles, const std::vector<Vec3>& points,
-                          const std::vector<Index>& numbers) {
+                          const std::vector<TriangleId>& numbers) {
   std::vector<Box> boxes;
   boxes.reserve(numbers.size());
-  for (const Index t : numbers) {
-    const Vec3& a = points[triangles[t][0]];
-    const Vec3& b = points[triangles[t][1]];
-    const Vec3& c = points[triangles[t][2]];
-    boxes.push_back({a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)});
+  for (const TriangleId number : numbers) {
+    const Triangle& t = triangles[number];
+    boxes.push_back(box_of(points[t[0]], points[t[1]], points[t[2]]));
   }
   return boxes;
 }
@@ -76,30 +79,28 @@ std::vector<Box> boxes_of(std::span<const Triangle> triangles, const std::vector
 }  // namespace
 
 Sight::Sight(std::span<const Triangle> triangles, const std::vector<Vec3>& points,
-             const std::vector<char>& left_out)
+             const Marks& left_out)
     : triangles_(triangles),
       points_(points),
-      number_(numbers_of(left_out)),
-      boxes_(boxes_of(triangles, points, number_)),
+      triangle_in_(all_but(left_out)),
+      boxes_(boxes_of(triangles, points, triangle_in_)),
       tree_(boxes_) {
   if (boxes_.empty()) return;
   Box all = boxes_[0];
-  for (const Box& box : boxes_) {
-    all.min = all.min.cwiseMin(box.min);
-    all.max = all.max.cwiseMax(box.max);
-  }
-  nearest_ = kOverlooked * (all.max - all.min).norm();
+  for (const Box& box : boxes_) grow(all, box);
+  least_distance_ = kOverlooked * (all.max - all.min).norm();
 }
 
-bool Sight::escapes(const Vec3& origin, const Vec3& direction, Index from) const {
+bool Sight::escapes(const Vec3& origin, const Vec3& direction, TriangleId from) const {
   const ShearedRay ray(origin, direction);
   return !tree_.any_along(origin, direction, [&](Index i) {
-    const Triangle& t = triangles_[number_[i]];
-    return number_[i] != from && ray.meets(points_[t[0]], points_[t[1]], points_[t[2]], nearest_);
+    const Triangle& t = triangles_[triangle_in_[i]];
+    return triangle_in_[i] != from &&
+           ray.meets(points_[t[0]], points_[t[1]], points_[t[2]], least_distance_);
   });
 }
 
-// Points of a cube within its sphere, from a linear congruential generator.
+// Takes points of a cube, from a linear congruential generator, that lie within the unit sphere.
 std::vector<Vec3> spread_directions(Index count) {
   std::uint64_t state = 0x9e3779b97f4a7c15u;
   const auto coordinate = [&] {

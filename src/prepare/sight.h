@@ -1,35 +1,40 @@
 // SPDX-License-Identifier: MIT
-// Rays from a surface: do they leave the mesh?
+// Follows rays from points of a surface, to see whether they leave the mesh.
 #pragma once
 
 #include <span>
 #include <vector>
 
 #include "mesh/box_tree.h"
+#include "mesh/marks.h"
+#include "mesh/numbers.h"
 
 namespace kdm {
 
+/// Tells what can be seen from outside: which rays from the triangles of a mesh reach infinity.
 class Sight {
  public:
-  /// Both must outlive this; triangles in `left_out` (one flag each) are not in the way.
+  /// `triangles` and `points` must outlive this. The triangles marked in `left_out` stop no ray.
   Sight(std::span<const Triangle> triangles, const std::vector<Vec3>& points,
-        const std::vector<char>& left_out);
+        const Marks& left_out);
 
-  /// Whether a ray that starts on triangle `from` meets none of the others, up to infinity. What
-  /// lies within 1e-7 of the mesh's size is overlooked, so faces that lie on each other are not in
-  /// each other's way. Rays do not slip through between triangles that share an edge.
-  bool escapes(const Vec3& origin, const Vec3& direction, Index from) const;
+  /// Tells whether a ray that starts on triangle `from` meets no other triangle. Triangles nearer
+  /// to the origin than 1e-7 of the diagonal of the mesh's box are overlooked, so that faces that
+  /// lie on each other are not in each other's way. Rays do not slip through between triangles that
+  /// share an edge. Takes logarithmic time on usual meshes. No component of `direction` may be 0.
+  bool escapes(const Vec3& origin, const Vec3& direction, TriangleId from) const;
 
  private:
   std::span<const Triangle> triangles_;
   const std::vector<Vec3>& points_;
-  std::vector<Index> number_;  // of the triangle in each box
+  std::vector<TriangleId> triangle_in_;  // per box
   std::vector<Box> boxes_;
   BoxTree tree_;
-  double nearest_ = 0;
+  double least_distance_ = 0;  // nearer triangles are overlooked
 };
 
-/// Unit vectors evenly spread, the same on every platform; no component is 0.
+/// Returns unit vectors that are spread evenly over all directions, the same on every platform. No
+/// component is 0.
 std::vector<Vec3> spread_directions(Index count);
 
 }  // namespace kdm

@@ -25,13 +25,15 @@ double signed_volume(const std::vector<LatticeTriangle>& triangles) {
 
 // Exchanges corners 1 and 2 of every triangle: side 0 (0,1) becomes side 2 and the other way round.
 void turn_around(InputFaces& faces, std::vector<LatticeTriangle>& lattice_triangles) {
-  const auto turned = [](Index side) {
+  const auto turned = [](SideId side) {
     return side == kNone ? kNone : side - side % 3 + (2 - side % 3);
   };
-  std::vector<Index>& twin = faces.topology.twin;
-  std::vector<Index> result(twin.size());
-  for (Index side = 0; side < twin.size(); ++side) result[turned(side)] = turned(twin[side]);
-  twin = std::move(result);
+  std::vector<SideId>& opposite = faces.topology.opposite;
+  std::vector<SideId> result(opposite.size());
+  for (SideId side = 0; side < opposite.size(); ++side) {
+    result[turned(side)] = turned(opposite[side]);
+  }
+  opposite = std::move(result);
   for (Triangle& t : faces.triangles) std::swap(t[1], t[2]);
   for (LatticeTriangle& t : lattice_triangles) std::swap(t[1], t[2]);
 }
@@ -86,7 +88,7 @@ Surface prepare_surface(const Mesh& mesh, const BuildOptions& options) {
     const Triangle& t = faces.triangles[i];
     const auto area = area_vector(surface.triangles[i]);
     const bool degenerate = area[0] == 0 && area[1] == 0 && area[2] == 0;
-    surface.degenerate.push_back(degenerate ? 1 : 0);
+    surface.degenerate.push_back(degenerate);
     surface.report.degenerate_faces += degenerate ? 1 : 0;
     surface.planes.push_back(plane_of(exact[t[0]], exact[t[1]], exact[t[2]], surface.triangles[i]));
   }

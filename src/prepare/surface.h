@@ -8,6 +8,7 @@
 #include "geometry/plane.h"
 #include "kdmanifold/build.h"
 #include "kdmanifold/mesh.h"
+#include "mesh/marks.h"
 #include "mesh/topology.h"
 #include "prepare/input_faces.h"
 
@@ -21,13 +22,13 @@ struct Surface {
   std::vector<Triangle> corners;    ///< numbers of the corners' points
   std::vector<Plane> planes;        ///< of the triangles before rounding; then of invented hits
   std::vector<Index> source_faces;  ///< what the input calls the face
-  std::vector<char> degenerate;     ///< no area on the lattice: never hit, but still a neighbour
+  Marks degenerate;  ///< triangles without area on the lattice: never hit, but still neighbours
   Topology topology;
   InputReport report;
   bool sheet = false;   ///< bounds no solid
   bool repair = false;  ///< not closed or not turned consistently, but to become a solid
 
-  bool has_rims() const { return sheet || repair; }  ///< sides may lack a twin
+  bool has_rims() const { return sheet || repair; }  ///< sides may lack an opposite
 };
 
 /// Checks and converts (prepare/input_faces.h). Throws `kInvalidMesh` and `kNotClosed`.

@@ -1,41 +1,52 @@
 // SPDX-License-Identifier: MIT
-// Every corner belongs to a fan: the triangles round its vertex up to where the piece ends. Each
-// fan gives two vertices; so the shell is closed whatever the fans share. The shell is the sum of a
-// prism a triangle: where one would turn over, its triangle becomes a piece of its own, so that all
-// count positively and their union is what has a positive winding number.
+// Makes a shell from pieces: triangles that are joined across sides with an opposite. Every corner
+// of a triangle belongs to a fan, which are the triangles round the corner's vertex up to where the
+// piece ends. Each fan gives two vertices of the shell, one on either side of the surface; so the
+// shell is closed, whatever vertices the fans share.
+//
+// The shell is the sum of prisms, one a triangle. Where a prism would turn over, its triangle
+// becomes a piece of its own. So all prisms count positively, and their union is the set of the
+// points whose winding number is positive.
 #include "kdmanifold/thicken.h"
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <cmath>
 #include <new>
 
 #include "geometry/angle.h"
+#include "geometry/triangle.h"
 #include "kdmanifold/error.h"
 #include "mesh/check_indices.h"
 #include "mesh/check_positions.h"
+#include "mesh/edge_sides.h"
+#include "mesh/marks.h"
 #include "mesh/polygons.h"
 #include "mesh/scale.h"
 #include "mesh/topology.h"
-#include "prepare/crowded_edges.h"
 #include "prepare/neighbours.h"
+#include "prepare/non_manifold_edges.h"
 #include "prepare/weld.h"
 
 namespace kdm {
 namespace {
 
-constexpr double kMitre = 2;          // how much further than half the thickness vertices may go
-constexpr double kFoldCosine = -0.1;  // of the angle between normals beyond which a piece ends
-constexpr double kSlit = 4.7;         // radians: fans that go on further are ends of slits
-constexpr double kOverlap = 1.0 / 4;  // of the thickness, at ends of pieces that are no rims
+// Limits how far a vertex goes at sharp edges: as a multiple of half the thickness.
+constexpr double kMostMitre = 2;
+// A piece ends at an edge if the normals of its two triangles have a lesser cosine.
+constexpr double kFoldCosine = -0.1;
+// A fan that goes on for at least this angle, in radians, is the end of a slit and not of a piece.
+constexpr double kLeastSlitAngle = 4.7;
+// Pieces that end elsewhere than at a rim of the surface reach this part of the thickness further,
+// so that their shells overlap.
+constexpr double kOverlap = 1.0 / 4;
 
 struct Faces {
   std::vector<Triangle> triangles;
-  std::vector<Index> source;
+  std::vector<Index> source;  // per triangle: the input's number of its face
 };
 
-// Quads cut in two; without faces that have a repeated corner.
+// Cuts quads in two, and leaves out triangles with a repeated point.
 Faces welded_faces(const Mesh& mesh, const Weld& weld) {
   Faces faces;
   Polygons(mesh).for_each_triangle([&](Index face, const Triangle& c) {
@@ -47,20 +58,21 @@ Faces welded_faces(const Mesh& mesh, const Weld& weld) {
   return faces;
 }
 
-// Without copies, neighbours turned to agree.
+// Leaves out copies, and turns neighbours to agree.
 Faces oriented_faces(const Faces& all, const std::vector<Vec3>& points) {
   const NeighbourDirections directions = orient_neighbours(all.triangles, points);
   Faces faces;
   for (std::size_t t = 0; t < all.triangles.size(); ++t) {
     if (directions.copy_of[t] != kNone) continue;
     const Triangle& c = all.triangles[t];
-    faces.triangles.push_back(directions.flip[t] != 0 ? Triangle{c[0], c[2], c[1]} : c);
+    faces.triangles.push_back(directions.must_turn.test(t) ? Triangle{c[0], c[2], c[1]} : c);
     faces.source.push_back(all.source[t]);
   }
   return faces;
 }
 
-// What becomes of a vertex of one fan: `middle` + `out` on one side, `middle` - `out` on the other.
+// The two vertices of a fan: `middle + out` on the front of the surface, `middle - out` on the
+// back.
 struct Offset {
   Vec3 middle;
   Vec3 out;
@@ -68,17 +80,13 @@ struct Offset {
 
 class Thickener {
  public:
-  /// `points` and `thickness` scaled to one.
+  // `points` and `thickness` must be scaled so that coordinates are about 1.
   Thickener(const std::vector<Triangle>& triangles, const std::vector<Vec3>& points,
             double thickness)
-      : triangles_(triangles),
-        points_(points),
-        thickness_(thickness),
-        rim_(3 * triangles.size(), 0) {
+      : triangles_(triangles), points_(points), thickness_(thickness), rim_(3 * triangles.size()) {
     for (const Triangle& t : triangles_) {
-      const Vec3 cross = (points_[t[1]] - points_[t[0]]).cross(points_[t[2]] - points_[t[0]]);
-      const double length = cross.norm();
-      normals_.push_back(length > 0 ? Vec3(cross / length) : Vec3(Vec3::Zero()));
+      normals_.push_back(
+          normalized_or_zero(doubled_area_vector(points_[t[0]], points_[t[1]], points_[t[2]])));
     }
     join_sides();
   }
@@ -96,26 +104,27 @@ class Thickener {
     } while (cut_off_turned() > 0);
   }
 
-  /// Closed and consistently oriented by construction: sides of pieces pair off on either side of
-  /// the surface, and walls pair with them and, at the two ends of each fan, with each other.
+  // Makes the shell, which is closed and consistently oriented by construction: the sides of the
+  // triangles within a piece pair off on either side of the surface; where a piece ends, a wall of
+  // two triangles pairs with the sides above and below it and, at its ends, with the next walls.
   Mesh shell(const std::vector<Index>& source) const {
     Mesh mesh;
     for (const Offset& o : offsets_) {
       mesh.positions.push_back(o.middle + o.out);
       mesh.positions.push_back(o.middle - o.out);
     }
-    const auto upper = [&](Index corner) { return 2 * fan_[corner]; };
-    const auto lower = [&](Index corner) { return 2 * fan_[corner] + 1; };
-    const auto add = [&](Index triangle, Index a, Index b, Index c) {
+    const auto upper = [&](SideId corner) { return 2 * fan_[corner]; };
+    const auto lower = [&](SideId corner) { return 2 * fan_[corner] + 1; };
+    const auto add = [&](TriangleId triangle, Index a, Index b, Index c) {
       mesh.triangles.push_back({a, b, c});
       mesh.source_faces.push_back(source[triangle]);
     };
-    for (Index t = 0; t < triangles_.size(); ++t) {
+    for (TriangleId t = 0; t < triangles_.size(); ++t) {
       add(t, upper(3 * t), upper(3 * t + 1), upper(3 * t + 2));
       add(t, lower(3 * t + 2), lower(3 * t + 1), lower(3 * t));
-      for (Index side = 3 * t; side < 3 * t + 3; ++side) {
-        if (twin_[side] != kNone) continue;
-        const Index end = next(side);
+      for (SideId side = 3 * t; side < 3 * t + 3; ++side) {
+        if (opposite_[side] != kNone) continue;
+        const SideId end = next_side(side);
         add(t, upper(end), upper(side), lower(side));
         add(t, upper(end), lower(side), lower(end));
       }
@@ -124,96 +133,103 @@ class Thickener {
   }
 
  private:
-  static Index next(Index side) { return side % 3 == 2 ? side - 2 : side + 1; }
-  static Index previous(Index side) { return side % 3 == 0 ? side + 2 : side - 1; }
-  const Vec3& point(Index corner) const { return points_[triangles_[corner / 3][corner % 3]]; }
+  // Where a side starts. Sides stand for the corners that they start from.
+  const Vec3& point(SideId corner) const {
+    return points_[triangles_[triangle_of(corner)][corner_of(corner)]];
+  }
 
   void join_sides() {
     Topology topology = build_topology(triangles_, static_cast<Index>(points_.size()));
     pair_straightest(triangles_, points_, topology);
-    twin_ = std::move(topology.twin);
+    opposite_ = std::move(topology.opposite);
     EdgeSides(triangles_, static_cast<Index>(points_.size()))
         .for_each_edge([&](Index, std::span<const EdgeSide> edge) {
-          if (edge.size() == 1) rim_[edge[0].side] = 1;
+          if (edge.size() == 1) rim_.set(edge[0].side);
         });
-    for (Index side = 0; side < twin_.size(); ++side) {
-      if (twin_[side] != kNone && cosine_across(side) < kFoldCosine) cut(side);
+    for (SideId side = 0; side < opposite_.size(); ++side) {
+      if (opposite_[side] != kNone && cosine_across(side) < kFoldCosine) cut(side);
     }
   }
 
-  double cosine_across(Index side) const {
-    return normals_[side / 3].dot(normals_[twin_[side] / 3]);
+  double cosine_across(SideId side) const {
+    return normals_[triangle_of(side)].dot(normals_[triangle_of(opposite_[side])]);
   }
 
-  void cut(Index side) {
-    twin_[twin_[side]] = kNone;
-    twin_[side] = kNone;
+  // Ends the piece at a side.
+  void cut(SideId side) {
+    opposite_[opposite_[side]] = kNone;
+    opposite_[side] = kNone;
   }
 
   void make_fans() {
-    fan_.assign(twin_.size(), kNone);
+    fan_.assign(opposite_.size(), kNone);
     offsets_.clear();
-    for (Index corner = 0; corner < twin_.size(); ++corner) {
+    for (SideId corner = 0; corner < opposite_.size(); ++corner) {
       if (fan_[corner] != kNone) continue;
-      // Back to where the piece begins, if it does not go all the way round.
-      Index first = corner;
-      while (twin_[first] != kNone && next(twin_[first]) != corner) first = next(twin_[first]);
-      if (twin_[first] != kNone) first = corner;
+      // Go back to where the fan begins, unless it goes all the way round.
+      SideId first = corner;
+      while (opposite_[first] != kNone && next_side(opposite_[first]) != corner)
+        first = next_side(opposite_[first]);
+      if (opposite_[first] != kNone) first = corner;
       make_offset(first);
     }
   }
 
-  // A side of the fan's outline: outwards in the plane of its triangle, nothing on rims.
-  Vec3 beyond(Index side) const {
-    if (twin_[side] != kNone || rim_[side] != 0) return Vec3::Zero();
-    const Vec3 along = point(next(side)) - point(side);
-    const Vec3 outwards = along.cross(normals_[side / 3]);
-    const double length = outwards.norm();
-    return length > 0 ? Vec3(outwards / length) : Vec3(Vec3::Zero());
+  // Returns the unit vector that leads out of a side's triangle, in its plane, if a piece ends
+  // there; zero within a piece and at the rim of the surface.
+  Vec3 beyond(SideId side) const {
+    if (opposite_[side] != kNone || rim_.test(side)) return Vec3::Zero();
+    const Vec3 along = point(next_side(side)) - point(side);
+    return normalized_or_zero(along.cross(normals_[triangle_of(side)]));
   }
 
-  void make_offset(Index first) {
+  // Adds the two vertices of the fan that begins with corner `first`: they lie away from the
+  // surface along the mean of the fan's normals, weighted by the angles at the corner.
+  void make_offset(SideId first) {
     const auto number = static_cast<Index>(offsets_.size());
     Vec3 sum = Vec3::Zero();
     double angles = 0;
-    Index corner = first;
-    Index last = first;
+    SideId corner = first;
+    SideId last = first;
     do {
       fan_[corner] = number;
-      const double angle = angle_between(point(next(corner)) - point(corner),
-                                         point(previous(corner)) - point(corner));
-      // Without an area there is no normal to weigh.
-      if (normals_[corner / 3] != Vec3::Zero()) {
-        sum += angle * normals_[corner / 3];
+      const double angle = angle_between(point(next_side(corner)) - point(corner),
+                                         point(previous_side(corner)) - point(corner));
+      const Vec3& normal = normals_[triangle_of(corner)];
+      if (normal != Vec3::Zero()) {  // a triangle without area has none
+        sum += angle * normal;
         angles += angle;
       }
       last = corner;
-      corner = twin_[previous(corner)];
+      corner = opposite_[previous_side(corner)];
     } while (corner != kNone && corner != first);
     Offset offset{point(first), Vec3::Zero()};
-    // The mean cosine between the normals and theirs is length / angles.
+    // The mean cosine between the normals and their mean is length / angles. Its inverse keeps the
+    // vertices half the thickness away from the triangles.
     const double length = sum.norm();
-    if (length > 0)
-      offset.out = sum / length * (thickness_ / 2) * std::min(angles / length, kMitre);
-    // The end of a slit stays where it is.
-    if (corner == kNone && angles < kSlit) {
-      const Vec3 out = mitred(beyond(first), beyond(previous(last)));
+    if (length > 0) {
+      offset.out = sum / length * (thickness_ / 2) * std::min(angles / length, kMostMitre);
+    }
+    if (corner == kNone && angles < kLeastSlitAngle) {  // the end of a slit stays where it is
+      const Vec3 out = mitred(beyond(first), beyond(previous_side(last)));
       offset.middle += kOverlap * thickness_ * out;
     }
     offsets_.push_back(offset);
   }
 
-  // As far beyond both of two lines, given by unit vectors, or zero.
+  // Returns the vector that leads one unit beyond two sides of a piece's outline, given the unit
+  // vectors that lead out of each. If one of them is zero, it is the other one.
   static Vec3 mitred(const Vec3& a, const Vec3& b) {
     const Vec3 sum = a + b;
     const double square = sum.squaredNorm();
     if (a == Vec3::Zero() || b == Vec3::Zero() || !(square > 0)) return sum;
-    return sum / std::sqrt(square) * std::min(2 / std::sqrt(square), kMitre);
+    return sum / std::sqrt(square) * std::min(2 / std::sqrt(square), kMostMitre);
   }
 
-  // Twice the area of the layer at s of half the thickness, seen along the normal, is a + b s + c
-  // s^2.
-  bool turns_over(Index t) const {
+  // Tells whether a triangle's prism turns over somewhere. Between its faces on the back (s = -1)
+  // and the front (s = 1) of the surface, the prism's cross-section has the area, doubled and seen
+  // along the triangle's normal, of a + b s + c s^2, which must be positive everywhere.
+  bool turns_over(TriangleId t) const {
     const Offset& p = offsets_[fan_[3 * t]];
     const Offset& q = offsets_[fan_[3 * t + 1]];
     const Offset& r = offsets_[fan_[3 * t + 2]];
@@ -230,13 +246,14 @@ class Thickener {
     return c > 0 && std::abs(b) < 2 * c && !(4 * a * c > b * b);
   }
 
-  // A triangle by itself has parallel sides: it does not turn over.
+  // Makes pieces of their own of triangles whose prisms turn over, and returns how many sides were
+  // cut. The prism of a piece of one triangle has parallel edges and does not turn over.
   Index cut_off_turned() {
     Index cuts = 0;
-    for (Index t = 0; t < triangles_.size(); ++t) {
+    for (TriangleId t = 0; t < triangles_.size(); ++t) {
       if (!turns_over(t)) continue;
-      for (Index side = 3 * t; side < 3 * t + 3; ++side) {
-        if (twin_[side] == kNone) continue;
+      for (SideId side = 3 * t; side < 3 * t + 3; ++side) {
+        if (opposite_[side] == kNone) continue;
         cut(side);
         ++cuts;
       }
@@ -247,11 +264,11 @@ class Thickener {
   const std::vector<Triangle>& triangles_;
   const std::vector<Vec3>& points_;
   double thickness_;
-  std::vector<Vec3> normals_;
-  std::vector<Index> twin_;
-  std::vector<char> rim_;        // of each side: the surface ends there
-  std::vector<Index> fan_;       // of each corner
-  std::vector<Offset> offsets_;  // of each fan
+  std::vector<Vec3> normals_;     // per triangle; zero if it has no area
+  std::vector<SideId> opposite_;  // per side; kNone where a piece ends
+  Marks rim_;                     // sides at which the surface itself ends
+  std::vector<Index> fan_;        // per corner
+  std::vector<Offset> offsets_;   // per fan
 };
 
 }  // namespace

@@ -74,7 +74,8 @@ class AdaptiveRule : public SplitRule {
             std::clamp(kLeastWidth * floor_, 1.0, static_cast<double>(kLatticeSize)))),
         depth_(depth),
         placing_(placing),
-        open_(std::count(surface.topology.twin.begin(), surface.topology.twin.end(), kNone) > 0),
+        open_(std::count(surface.topology.opposite.begin(), surface.topology.opposite.end(),
+                         kNone) > 0),
         features_(surface),
         parts_(surface) {}
 
@@ -349,10 +350,10 @@ class AdaptiveRule : public SplitRule {
       if (!shows_in(m, piece)) continue;
       const Index triangle = members[m];
       for (int i = 0; i < 3; ++i) {
-        const Index twin = surface_.topology.twin[3 * triangle + static_cast<Index>(i)];
-        if (twin == kNone) continue;
+        const SideId opposite = surface_.topology.opposite[3 * triangle + static_cast<Index>(i)];
+        if (opposite == kNone) continue;
         const Vec3& normal = surface_.planes[triangle].normal;
-        if (normal.dot(surface_.planes[twin / 3].normal) >= kSharpCosine) continue;
+        if (normal.dot(surface_.planes[opposite / 3].normal) >= kSharpCosine) continue;
         const LatticePoint& a = surface_.triangles[triangle][i];
         const LatticePoint& b = surface_.triangles[triangle][next_corner(i)];
         if (!edge_meets_box(a, b, box)) continue;

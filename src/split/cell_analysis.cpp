@@ -50,8 +50,8 @@ CellAnalysis::CellAnalysis(const Surface& surface)
   counted_.assign(std::size_t{points} + 1, 0);
   if (!surface.has_rims()) return;
   on_rim_.assign(std::size_t{points} + 1, 0);
-  for (Index side = 0; side < surface.topology.twin.size(); ++side) {
-    if (surface.topology.twin[side] != kNone) continue;
+  for (Index side = 0; side < surface.topology.opposite.size(); ++side) {
+    if (surface.topology.opposite[side] != kNone) continue;
     const Triangle& t = surface.corners[side / 3];
     on_rim_[t[side % 3]] = on_rim_[t[next_corner(static_cast<int>(side % 3))]] = 1;
   }
@@ -74,14 +74,14 @@ Index CellAnalysis::count_parts(std::span<const Index> subset, const LatticeBox&
     const LatticeTriangle& t = surface_.triangles[triangle];
     for (int i = 0; i < 3; ++i) {
       const Index side = 3 * triangle + static_cast<Index>(i);
-      const Index twin = surface_.topology.twin[side];
-      if (twin < side || !edge_meets_box(t[i], t[next_corner(i)], box)) continue;
-      if (twin == kNone) {
+      const SideId opposite = surface_.topology.opposite[side];
+      if (opposite < side || !edge_meets_box(t[i], t[next_corner(i)], box)) continue;
+      if (opposite == kNone) {
         rim_sides_.push_back(side);
         continue;
       }
       ++edges_;
-      const Index other = local_[twin / 3];
+      const Index other = local_[opposite / 3];
       if (other == kNone || parent_[other] == kNone) continue;
       const Index a = find(m);
       const Index b = find(other);
@@ -266,8 +266,8 @@ bool CellAnalysis::part_is_near(Index triangle) {
       if (!vertex_in_box(p, reach)) return false;
     }
     for (Index side = 3 * t; side < 3 * t + 3; ++side) {
-      if (surface_.topology.twin[side] == kNone) return false;  // open: no volume to lose
-      const Index other = surface_.topology.twin[side] / 3;
+      if (surface_.topology.opposite[side] == kNone) return false;  // open: no volume to lose
+      const Index other = surface_.topology.opposite[side] / 3;
       if (visit_[other] == visits_) continue;
       visit_[other] = visits_;
       stack_.push_back(other);
@@ -308,7 +308,7 @@ bool CellAnalysis::members_cross(Index i, Index j) const {
   }
   const Index a = members_[i];
   const Index b = members_[j];
-  if (surface_.degenerate[a] != 0 || surface_.degenerate[b] != 0) return false;
+  if (surface_.degenerate.test(a) || surface_.degenerate.test(b)) return false;
   if (!TriangleCrossing<LatticeKernel>::test(surface_.triangles[a], surface_.corners[a],
                                              surface_.triangles[b], surface_.corners[b])) {
     return false;

@@ -28,7 +28,7 @@ void FeatureFinder::find_in_cell(const LatticeBox& box, std::span<const ListEntr
   bool any = false;
   for (const ListEntry& entry : entries) {
     const LatticeTriangle& t = surface_.triangles[entry.triangle];
-    if (surface_.degenerate[entry.triangle] != 0) continue;
+    if (surface_.degenerate.test(entry.triangle)) continue;
     if (!std::all_of(t.begin(), t.end(), [&](const auto& p) { return vertex_in_box(p, box); })) {
       continue;
     }
@@ -50,7 +50,7 @@ void FeatureFinder::find_on_half_face(const LatticeBox& box, std::span<const Lis
   bool any = false;
   for (const ListEntry& entry : entries) {
     const LatticeTriangle& t = surface_.triangles[entry.triangle];
-    if (surface_.degenerate[entry.triangle] != 0) continue;
+    if (surface_.degenerate.test(entry.triangle)) continue;
     if (high ? entry.hi[axis] < plane : entry.lo[axis] > plane) continue;
     // The ends of the triangle's section with the face's plane.
     bool inside = true;

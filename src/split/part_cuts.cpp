@@ -22,8 +22,8 @@ PartCuts::PartCuts(const Surface& surface) {
   const auto triangles = static_cast<Index>(surface.triangles.size());
   DisjointSets parts(triangles);
   for (Index side = 0; side < 3 * triangles; ++side) {
-    const Index twin = surface.topology.twin[side];
-    if (twin != kNone && twin < side) parts.join(side / 3, twin / 3);
+    const SideId opposite = surface.topology.opposite[side];
+    if (opposite != kNone && opposite < side) parts.join(side / 3, opposite / 3);
   }
   part_.reserve(triangles);
   std::vector<Index> size(triangles, 0);

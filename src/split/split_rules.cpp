@@ -27,7 +27,7 @@ class MedianRule : public SplitRule {
     met_.assign(surface.triangles.size(), 0);
     centres_.reserve(surface.triangles.size());
     for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
-      if (surface.degenerate[i] != 0) continue;
+      if (surface.degenerate.test(i)) continue;
       const LatticeTriangle& t = surface.triangles[i];
       Centre centre{{}, static_cast<Index>(i)};
       for (int k = 0; k < 3; ++k) centre.point[k] = (t[0][k] + t[1][k] + t[2][k]) / 3;

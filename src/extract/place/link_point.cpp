@@ -182,7 +182,7 @@ namespace {
 
 // 1 where both hits lie behind each other's plane, as on a convex edge; -1 where both lie in front;
 // 0 where the surface is flat or bends both ways between them.
-int bend(const GridView& view, HitPair link) {
+int convexity(const GridView& view, HitPair link) {
   const double first = view.grid.plane_of(link.other).signed_distance(view.hit_points[link.hit]);
   const double second = view.grid.plane_of(link.hit).signed_distance(view.hit_points[link.other]);
   if (!(first * second > 0)) return 0;
@@ -193,14 +193,14 @@ int bend(const GridView& view, HitPair link) {
 bool is_sharp(const GridView& view, HitPair link) {
   const double cosine =
       view.grid.plane_of(link.hit).normal.dot(view.grid.plane_of(link.other).normal);
-  return cosine < kSharpCosine && bend(view, link) != 0;
+  return cosine < kSharpCosine && convexity(view, link) != 0;
 }
 
 }  // namespace
 
 Vec3 behind_planes(const GridView& view, HitPair link, std::span<const Index> hits, double distance,
                    const Vec3& crease) {
-  const int outwards = bend(view, link);
+  const int outwards = convexity(view, link);
   if (outwards == 0) return crease;
   const Vec3& p = view.hit_points[link.hit];
   const Vec3& q = view.hit_points[link.other];

@@ -70,7 +70,8 @@ class OneFace {
         }
         surface_.triangles.push_back(t);
         for (int k = 0; k < 3; ++k) {
-          surface_.topology.twin.push_back(random.below(static_cast<Index>(3 * points_.size())));
+          surface_.topology.opposite.push_back(
+              random.below(static_cast<Index>(3 * points_.size())));
         }
       }
       grid_.edge_begin.push_back(static_cast<Index>(grid_.hits.size()));

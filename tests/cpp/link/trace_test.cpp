@@ -200,7 +200,7 @@ class Recount {
         if (p[u] < face.lo(0) || p[u] > face.hi(0) || p[v] < face.lo(1) || p[v] > face.hi(1)) {
           continue;
         }
-        parent_[find(t)] = find(topology_.twin[3 * t + i] / 3);
+        parent_[find(t)] = find(topology_.opposite[3 * t + i] / 3);
       }
     }
     std::vector<std::pair<Index, Index>> ends;  // half-edge, piece

@@ -9,7 +9,7 @@
 #include <set>
 
 #include "mesh/boundary_loops.h"
-#include "prepare/crowded_edges.h"
+#include "prepare/non_manifold_edges.h"
 #include "support/random.h"
 #include "support/shapes.h"
 
@@ -28,15 +28,15 @@ Index end_of(const std::vector<Triangle>& triangles, Index side) {
 }
 
 // Twins are mutual and run along the same edge the other way.
-void expect_twins(const std::vector<Triangle>& triangles, const Topology& topology) {
-  ASSERT_EQ(topology.twin.size(), 3 * triangles.size());
-  for (Index side = 0; side < topology.twin.size(); ++side) {
-    const Index twin = topology.twin[side];
-    if (twin == kNone) continue;
-    ASSERT_LT(twin, topology.twin.size());
-    ASSERT_EQ(topology.twin[twin], side);
-    ASSERT_EQ(start_of(triangles, twin), end_of(triangles, side));
-    ASSERT_EQ(end_of(triangles, twin), start_of(triangles, side));
+void expect_mutual_opposites(const std::vector<Triangle>& triangles, const Topology& topology) {
+  ASSERT_EQ(topology.opposite.size(), 3 * triangles.size());
+  for (Index side = 0; side < topology.opposite.size(); ++side) {
+    const SideId opposite = topology.opposite[side];
+    if (opposite == kNone) continue;
+    ASSERT_LT(opposite, topology.opposite.size());
+    ASSERT_EQ(topology.opposite[opposite], side);
+    ASSERT_EQ(start_of(triangles, opposite), end_of(triangles, side));
+    ASSERT_EQ(end_of(triangles, opposite), start_of(triangles, side));
   }
 }
 
@@ -48,8 +48,8 @@ TEST(Topology, ATetrahedronIsClosed) {
   EXPECT_EQ(topology.non_manifold_edges, 0u);
   EXPECT_EQ(topology.components, 1u);
   EXPECT_EQ(topology.first_unbalanced, kNone);
-  expect_twins(mesh.triangles, topology);
-  EXPECT_EQ(std::count(topology.twin.begin(), topology.twin.end(), kNone), 0);
+  expect_mutual_opposites(mesh.triangles, topology);
+  EXPECT_EQ(std::count(topology.opposite.begin(), topology.opposite.end(), kNone), 0);
 }
 
 TEST(Topology, AnOpenEdgeHasNoTwin) {
@@ -64,7 +64,7 @@ TEST(Topology, AnOpenEdgeHasNoTwin) {
   EXPECT_EQ(topology.unbalanced_edges, 4u);
   EXPECT_EQ(topology.first_unbalanced, 0u);
   EXPECT_EQ(topology.components, 1u);
-  EXPECT_EQ(topology.twin, (std::vector<Index>{kNone, kNone, 3, 2, kNone, kNone}));
+  EXPECT_EQ(topology.opposite, (std::vector<Index>{kNone, kNone, 3, 2, kNone, kNone}));
 }
 
 TEST(Topology, FacesThatDisagreeAreUnbalancedNotOpen) {
@@ -72,8 +72,8 @@ TEST(Topology, FacesThatDisagreeAreUnbalancedNotOpen) {
   const Topology topology = build_topology(disagreeing, 4);
   EXPECT_EQ(topology.boundary_edges, 4u);
   EXPECT_EQ(topology.unbalanced_edges, 5u);
-  EXPECT_EQ(topology.twin[0], kNone);
-  EXPECT_EQ(topology.twin[3], kNone);
+  EXPECT_EQ(topology.opposite[0], kNone);
+  EXPECT_EQ(topology.opposite[3], kNone);
   EXPECT_EQ(topology.components, 1u);
 }
 
@@ -83,8 +83,8 @@ TEST(Topology, FourFacesOnAnEdgeArePairedByDirection) {
   EXPECT_TRUE(topology.closed());
   EXPECT_EQ(topology.non_manifold_edges, 1u);
   EXPECT_EQ(topology.components, 1u);
-  expect_twins(mesh.triangles, topology);
-  EXPECT_EQ(std::count(topology.twin.begin(), topology.twin.end(), kNone), 0);
+  expect_mutual_opposites(mesh.triangles, topology);
+  EXPECT_EQ(std::count(topology.opposite.begin(), topology.opposite.end(), kNone), 0);
 }
 
 TEST(Topology, PartsAreJoinedByEdgesNotByVertices) {
@@ -95,10 +95,10 @@ TEST(Topology, PartsAreJoinedByEdgesNotByVertices) {
 TEST(Topology, ASideWithoutLengthIsIgnored) {
   const std::vector<Triangle> folded{{0, 0, 1}, {0, 1, 2}, {2, 1, 0}};
   const Topology topology = build_topology(folded, 3);
-  EXPECT_EQ(topology.twin[0], kNone);
+  EXPECT_EQ(topology.opposite[0], kNone);
   EXPECT_TRUE(topology.closed());
   EXPECT_EQ(topology.components, 1u);
-  expect_twins(folded, topology);
+  expect_mutual_opposites(folded, topology);
 }
 
 TEST(Topology, UnusedPointsDoNotMatter) {
@@ -110,7 +110,7 @@ TEST(Topology, UnusedPointsDoNotMatter) {
 
 TEST(Topology, BoundaryLoopsGoRoundEachHole) {
   const auto loops = [](const std::vector<Triangle>& triangles) {
-    return find_rim_loops(build_topology(triangles, 20).twin).size();
+    return find_rim_loops(build_topology(triangles, 20).opposite).size();
   };
   EXPECT_EQ(loops({}), 0u);
   EXPECT_EQ(loops({{0, 1, 2}}), 1u);
@@ -168,9 +168,9 @@ TEST(Topology, RandomTrianglesAreCountedRight) {
     ASSERT_EQ(topology.first_unbalanced, first);
     ASSERT_EQ(topology.closed(), unbalanced == 0);
     ASSERT_EQ(topology.components, std::set<Index>(part.begin(), part.end()).size());
-    expect_twins(triangles, topology);
-    const auto open = std::count(topology.twin.begin(), topology.twin.end(), kNone);
-    ASSERT_EQ(topology.twin.size() - static_cast<std::size_t>(open), paired)
+    expect_mutual_opposites(triangles, topology);
+    const auto open = std::count(topology.opposite.begin(), topology.opposite.end(), kNone);
+    ASSERT_EQ(topology.opposite.size() - static_cast<std::size_t>(open), paired)
         << "as many sides are paired as can be";
   }
 }
@@ -184,9 +184,9 @@ TEST(Topology, CrowdsAtOneEdgeKeepTheirPairs) {
     triangles.push_back(i % 2 == 0 ? Triangle{0, 1, i + 2} : Triangle{1, 0, i + 2});
   }
   Topology topology = build_topology(triangles, static_cast<Index>(points.size()));
-  const std::vector<Index> before = topology.twin;
+  const std::vector<Index> before = topology.opposite;
   pair_straightest(triangles, points, topology);
-  EXPECT_EQ(topology.twin, before);
+  EXPECT_EQ(topology.opposite, before);
 }
 
 }  // namespace

@@ -19,21 +19,27 @@ NeighbourDirections directions_of(const Mesh& mesh) {
 }
 
 // Turns each face with the given probability; `turned` tells which.
-Mesh with_turned_faces(Mesh mesh, double share, std::uint32_t seed, std::vector<char>& turned) {
+Mesh with_turned_faces(Mesh mesh, double share, std::uint32_t seed, Marks& turned) {
   check::Random random(seed);
-  turned.assign(mesh.triangles.size(), 0);
+  turned.assign(mesh.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     if (random.unit() >= share) continue;
-    turned[t] = 1;
+    turned.set(t);
     std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
   }
   return mesh;
 }
 
-std::vector<Triangle> turned_back(const Mesh& mesh, const std::vector<char>& flip) {
+Marks marks(std::initializer_list<bool> flags) {
+  Marks result;
+  for (const bool flag : flags) result.push_back(flag);
+  return result;
+}
+
+std::vector<Triangle> turned_back(const Mesh& mesh, const Marks& must_turn) {
   std::vector<Triangle> triangles = mesh.triangles;
   for (std::size_t t = 0; t < triangles.size(); ++t) {
-    if (flip[t] != 0) std::swap(triangles[t][1], triangles[t][2]);
+    if (must_turn.test(t)) std::swap(triangles[t][1], triangles[t][2]);
   }
   return triangles;
 }
@@ -43,7 +49,7 @@ TEST(Neighbours, WhatIsClosedAndConsistentStaysAsItIs) {
     if (shape.name == "integer_tetrahedra") continue;  // some lie back to back, see below
     SCOPED_TRACE(shape.name);
     const NeighbourDirections result = directions_of(shape.mesh);
-    EXPECT_EQ(std::count(result.flip.begin(), result.flip.end(), 1), 0);
+    EXPECT_EQ(result.must_turn.count(), 0u);
     EXPECT_EQ(result.contradictions, 0u);
     for (const PartDirection& part : result.parts) {
       EXPECT_TRUE(part.closed);
@@ -55,10 +61,10 @@ TEST(Neighbours, WhatIsClosedAndConsistentStaysAsItIs) {
 
 TEST(Neighbours, TurnedFacesOfAClosedShapeAreFound) {
   for (const double share : {0.01, 0.1, 0.3}) {
-    std::vector<char> turned;
+    Marks turned;
     const Mesh mesh = with_turned_faces(shapes::torus(), share, 7, turned);
     const NeighbourDirections result = directions_of(mesh);
-    EXPECT_EQ(result.flip, turned) << share;
+    EXPECT_EQ(result.must_turn, turned) << share;
     ASSERT_EQ(result.parts.size(), 1u);
     EXPECT_TRUE(result.parts[0].closed);
     EXPECT_FALSE(result.parts[0].oriented);
@@ -72,29 +78,29 @@ TEST(Neighbours, TheLargerAreaDecides) {
   Mesh mesh;
   mesh.positions = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 0.1, 0), Vec3(0, -5, 0)};
   mesh.triangles = {{0, 1, 2}, {0, 1, 3}};
-  EXPECT_EQ(directions_of(mesh).flip, (std::vector<char>{1, 0}));
+  EXPECT_EQ(directions_of(mesh).must_turn, marks({true, false}));
   mesh.positions[2] = Vec3(0, 9, 0);
-  EXPECT_EQ(directions_of(mesh).flip, (std::vector<char>{0, 1}));
+  EXPECT_EQ(directions_of(mesh).must_turn, marks({false, true}));
   mesh.positions[2] = Vec3(0, 5, 0);  // a tie: the first stays
-  EXPECT_EQ(directions_of(mesh).flip, (std::vector<char>{0, 1}));
+  EXPECT_EQ(directions_of(mesh).must_turn, marks({false, true}));
 }
 
 TEST(Neighbours, AMoebiusBandIsCutOnce) {
   const Mesh band = shapes::moebius_band(40);
   const NeighbourDirections plain = directions_of(band);
   EXPECT_EQ(plain.contradictions, 1u);
-  EXPECT_EQ(std::count(plain.flip.begin(), plain.flip.end(), 1), 0) << "the seam it has is kept";
+  EXPECT_EQ(plain.must_turn.count(), 0u) << "the seam it has is kept";
   ASSERT_EQ(plain.parts.size(), 1u);
   EXPECT_FALSE(plain.parts[0].closed);
   EXPECT_FALSE(plain.parts[0].oriented);
   EXPECT_FALSE(plain.parts[0].orientable);
   for (const std::uint32_t seed : {1u, 2u, 3u}) {
-    std::vector<char> turned;
+    Marks turned;
     const Mesh mixed = with_turned_faces(band, 0.3, seed, turned);
     const NeighbourDirections result = directions_of(mixed);
     EXPECT_EQ(result.contradictions, 1u);
-    const Topology topology =
-        build_topology(turned_back(mixed, result.flip), static_cast<Index>(band.positions.size()));
+    const Topology topology = build_topology(turned_back(mixed, result.must_turn),
+                                             static_cast<Index>(band.positions.size()));
     EXPECT_EQ(topology.unbalanced_edges, topology.boundary_edges + 1);
   }
 }
@@ -102,7 +108,7 @@ TEST(Neighbours, AMoebiusBandIsCutOnce) {
 TEST(Neighbours, CopiesFollowTheFirst) {
   // Every face of a torus a second time, half of them the other way round.
   const Mesh torus = shapes::torus();
-  std::vector<char> turned;
+  Marks turned;
   Mesh doubled = with_turned_faces(torus, 0.5, 3, turned);
   const auto faces = static_cast<Index>(torus.triangles.size());
   doubled.triangles.insert(doubled.triangles.begin(), torus.triangles.begin(),
@@ -114,7 +120,7 @@ TEST(Neighbours, CopiesFollowTheFirst) {
   for (Index t = 0; t < faces; ++t) {
     EXPECT_EQ(result.copy_of[t], kNone);
     EXPECT_EQ(result.copy_of[faces + t], t);
-    EXPECT_EQ(result.flip[faces + t], turned[t]);
+    EXPECT_EQ(result.must_turn.test(faces + t), turned.test(t));
   }
 }
 
@@ -126,7 +132,7 @@ TEST(Neighbours, FacesBackToBackAllOverAreOneSurface) {
   ASSERT_EQ(result.parts.size(), 1u);
   EXPECT_TRUE(result.parts[0].closed);
   EXPECT_EQ(result.parts[0].area, 6);
-  for (Index t = 0; t < 24; ++t) EXPECT_EQ(result.flip[t], t < 12 ? 0 : 1);
+  for (Index t = 0; t < 24; ++t) EXPECT_EQ(result.must_turn.test(t), t >= 12);
 }
 
 TEST(Neighbours, EdgesOfThreeJoinNothing) {
@@ -142,7 +148,7 @@ TEST(Neighbours, EdgesOfThreeJoinNothing) {
   }
   const NeighbourDirections result = directions_of(mesh);
   EXPECT_EQ(result.part, (std::vector<Index>{0, 0, 1, 1, 2, 2}));
-  EXPECT_EQ(std::count(result.flip.begin(), result.flip.end(), 1), 0);
+  EXPECT_EQ(result.must_turn.count(), 0u);
   for (const PartDirection& part : result.parts) EXPECT_FALSE(part.closed);
 }
 
@@ -161,7 +167,7 @@ TEST(Neighbours, OneTriangleManyTimes) {
   const NeighbourDirections result = directions_of(mesh);
   ASSERT_EQ(result.parts.size(), 1u);
   EXPECT_EQ(result.parts[0].area, 0.5);
-  EXPECT_EQ(std::count(result.flip.begin(), result.flip.end(), 1), 1);
+  EXPECT_EQ(result.must_turn.count(), 1u);
   EXPECT_TRUE(orient_neighbours({}, {}).parts.empty());
 }
 

@@ -16,17 +16,23 @@ namespace {
 
 Orientation orientation_of(const Mesh& mesh) { return orient(mesh.triangles, mesh.positions); }
 
-void expect_flips(const Orientation& result, const std::vector<char>& expected) {
-  EXPECT_EQ(result.flip, expected);
-  EXPECT_EQ(result.flipped_triangles, std::count(expected.begin(), expected.end(), 1));
+Marks all_marked(std::size_t size) {
+  Marks marks(size);
+  for (std::size_t i = 0; i < size; ++i) marks.set(i);
+  return marks;
+}
+
+void expect_turned(const Orientation& result, const Marks& expected) {
+  EXPECT_EQ(result.must_turn, expected);
+  EXPECT_EQ(result.flipped_triangles, expected.count());
 }
 
 void expect_no_flips(const Mesh& mesh) {
-  expect_flips(orientation_of(mesh), std::vector<char>(mesh.triangles.size(), 0));
+  expect_turned(orientation_of(mesh), Marks(mesh.triangles.size()));
 }
 
 void expect_all_flipped(const Mesh& mesh) {
-  expect_flips(orientation_of(mesh), std::vector<char>(mesh.triangles.size(), 1));
+  expect_turned(orientation_of(mesh), all_marked(mesh.triangles.size()));
 }
 
 // Parts one after the other, those in `inside_out` (one bit each) turned; turning exactly these
@@ -34,13 +40,13 @@ void expect_all_flipped(const Mesh& mesh) {
 void expect_turned_back(const std::vector<Mesh>& parts, unsigned inside_out) {
   SCOPED_TRACE(inside_out);
   std::vector<Mesh> turned;
-  std::vector<char> expected;
+  Marks expected;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const bool turn = (inside_out >> i & 1) != 0;
     turned.push_back(turn ? shapes::inverted(parts[i]) : parts[i]);
-    expected.insert(expected.end(), parts[i].triangles.size(), turn ? 1 : 0);
+    for (std::size_t t = 0; t < parts[i].triangles.size(); ++t) expected.push_back(turn);
   }
-  expect_flips(orientation_of(shapes::merged(turned)), expected);
+  expect_turned(orientation_of(shapes::merged(turned)), expected);
 }
 
 // A box without the side at its lowest z; the cube's triangles there are the ones with all z = 0.
@@ -104,7 +110,8 @@ TEST(Orient, AnOpenPartShowsItsOuterSide) {
     for (const bool inside_out : {false, true}) {
       const Mesh turned = inside_out ? shapes::inverted(mesh) : mesh;
       const Orientation result = orientation_of(turned);
-      expect_flips(result, std::vector<char>(mesh.triangles.size(), inside_out ? 1 : 0));
+      const std::size_t size = mesh.triangles.size();
+      expect_turned(result, inside_out ? all_marked(size) : Marks(size));
       ASSERT_EQ(result.parts.size(), 1u);
       EXPECT_FALSE(result.parts[0].closed);
       EXPECT_FALSE(result.parts[0].sheet);
@@ -213,13 +220,13 @@ TEST(Orient, TurnedFacesOfSeveralPartsAreTurnedBack) {
   for (const double share : {0.01, 0.1, 0.3}) {
     check::Random random(11);
     Mesh mesh = shapes::torus_chain(3);
-    std::vector<char> turned(mesh.triangles.size(), 0);
+    Marks turned(mesh.triangles.size());
     for (std::size_t t = 0; t < turned.size(); ++t) {
       if (random.unit() >= share) continue;
-      turned[t] = 1;
+      turned.set(t);
       std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
     }
-    expect_flips(orientation_of(mesh), turned);
+    expect_turned(orientation_of(mesh), turned);
   }
 }
 
@@ -246,13 +253,13 @@ TEST(Orient, ACavityWithTurnedFacesIsACavity) {
   Mesh mesh = shapes::nested_spheres();
   const Index inner = orientation_of(mesh).parts.at(1).first;
   check::Random random(5);
-  std::vector<char> turned(mesh.triangles.size(), 0);
+  Marks turned(mesh.triangles.size());
   for (Index t = inner; t < mesh.triangles.size(); ++t) {
     if (random.below(10) != 0) continue;
-    turned[t] = 1;
+    turned.set(t);
     std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
   }
-  expect_flips(orientation_of(mesh), turned);
+  expect_turned(orientation_of(mesh), turned);
 }
 
 TEST(Orient, ACavityBehindASmallHoleIsACavity) {
