@@ -81,7 +81,7 @@ void keep_apart(const GridData& grid, std::span<const LatticeBox> boxes, HitRang
 std::vector<Vec3> hit_points(const GridData& grid, std::span<const LatticeBox> boxes, bool apart) {
   std::vector<Vec3> points(grid.hits.size());
   for_each_splitting_edge(grid, boxes, [&](const SplittingEdge& edge) {
-    Vec3 point = real(edge.low());
+    Vec3 point = to_vec3(edge.low());
     for (const HitId h : edge.hits) {
       point[edge.axis] = real_position(grid.hits[h].position);
       points[h] = point;
