@@ -11,6 +11,7 @@
 #include "extract/embed/embed.h"
 #include "extract/emit.h"
 #include "extract/keep_parts.h"
+#include "extract/mend/give_area.h"
 #include "extract/mend/mend_edges.h"
 #include "extract/mend/slivers.h"
 #include "extract/place/add_vertices.h"

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "analyze/nesting.h"
-#include "mesh/disjoint_sets.h"
 #include "mesh/boxes.h"
+#include "mesh/disjoint_sets.h"
 #include "mesh/measure.h"
 #include "mesh/polygons.h"
 #include "mesh/scale.h"

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "grid/grid_data.h"
+#include "mesh/numbers.h"
 
 namespace kdm {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Positions against needles, folds and triangles without area.
+// Vertices moved within their leaves, one triangle at a time.
 #include "extract/mend/slivers.h"
 
 #include <algorithm>
@@ -8,29 +8,29 @@
 
 #include "extract/mend/triangle_shape.h"
 #include "extract/place/place.h"
+#include "extract/place/vertex_position.h"
 #include "geometry/quadric.h"
+#include "mesh/marks.h"
 
 namespace kdm {
 namespace {
 
-// The shortest side of a needle, as a part of the longest.
-constexpr double kNeedle = 0.1;
-// A move must make the smallest angle this much wider.
-constexpr double kWider = 2;
-// Sines above this are all as good.
-constexpr double kWide = 0.09;
-// How far towards the middle of its hits or its neighbours a vertex may go.
-constexpr std::array<double, 2> kParts{0.125, 0.5};
-
-// Of a vertex that is moved. Needles stand round those of large leaves beside many small ones,
-// where no move helps.
-constexpr std::size_t kMostHits = 32;
+// A thin triangle is a needle if its shortest side is at most this fraction of its longest.
+constexpr double kNeedleSides = 0.1;
+// A move must make the smallest angle this many times as wide.
+constexpr double kMinGain = 2;
+// All angles with a larger sine than this (5 degrees) count alike.
+constexpr double kWideSine = 0.09;
+// A vertex is tried at these fractions of the way to the middle of its hits or of its neighbours.
+constexpr std::array<double, 2> kSteps{0.125, 0.5};
+// A vertex with more hits than this is not moved: it belongs to a large leaf beside many small ones
+// and has needles round it that no move takes away.
+constexpr std::size_t kMaxHits = 32;
 
 class Moving {
  public:
-  Moving(const GridView& view, DualMesh& mesh)
-      : view_(view), mesh_(mesh), fixed_(mesh.vertices(), 0) {
-    for (const auto& [vertex, point] : kept_corners(view.grid, mesh)) fixed_[vertex] = 1;
+  Moving(const GridView& view, DualMesh& mesh) : view_(view), mesh_(mesh), fixed_(mesh.vertices()) {
+    for (const auto& [vertex, point] : kept_corners(view.grid, mesh)) fixed_.set(vertex);
   }
 
   Index run() {
@@ -50,11 +50,12 @@ class Moving {
   struct Move {
     Index vertex = kNone;
     Vec3 to = Vec3::Zero();
-    double gain = kWider;
+    double gain = kMinGain;
   };
 
-  // Negative if folded, else the sine of the smallest angle. Three points in a row along a crease
-  // are as they should be: a flip is what they need.
+  // Returns a negative number for a folded triangle, else the sine of its smallest angle. A thin
+  // triangle that is no needle, three vertices in a row along a crease, counts as not thin: no move
+  // makes it better, a flip does.
   double quality(Index t) const {
     const Vec3& a = mesh_.position[mesh_.vertex[3 * t]];
     const Vec3& b = mesh_.position[mesh_.vertex[3 * t + 1]];
@@ -62,10 +63,10 @@ class Moving {
     const TriangleShape shape(a, b, c);
     const double sine = shape.least_sine();
     if (sine < kThinSine) {
-      return shape.shortest() <= kNeedle * kNeedle * shape.longest() ? sine : kThinSine;
+      return shape.shortest() <= kNeedleSides * kNeedleSides * shape.longest() ? sine : kThinSine;
     }
     const double cosine = shape.alignment(view_.grid.plane_of(mesh_.hit[t]).normal);
-    return cosine < kFolded ? cosine - kFolded - 1 : std::min(sine, kWide);
+    return cosine < kFolded ? cosine - kFolded - 1 : std::min(sine, kWideSine);
   }
 
   void look_for_move(Index v, Move& best) {
@@ -74,8 +75,8 @@ class Moving {
     const double now = ring_quality(-2);
     const double allowed =
         std::max(distance_to_planes(view_.grid, ring_, before), 0.5 * view_.grid.tolerance);
-    for (const double part : kParts) {
-      for (const Vec3& goal : {of_hits_, of_neighbours_}) {
+    for (const double part : kSteps) {
+      for (const Vec3& goal : {middle_of_hits_, middle_of_neighbours_}) {
         const Vec3 to = before + part * (goal - before);
         if (distance_to_planes(view_.grid, ring_, to) > allowed) continue;
         mesh_.position[v] = to;
@@ -86,44 +87,46 @@ class Moving {
     mesh_.position[v] = before;
   }
 
-  // What is folded no more counts for more than any widening.
+  // Returns how much better the ring becomes: unfolding a triangle counts for more than widening
+  // any angle.
   static double gain_of(double now, double then) {
     constexpr double kLeast = 1e-5;
     if (then < 0) return 0;
     return now < 0 ? (1 + then) / kLeast : then / std::max(now, kLeast);
   }
 
-  // The hits round the vertex; false if it must stay, on the boundary or at a corner.
+  // Reads the hits round the vertex and the two goals of its moves. Returns false if the vertex
+  // must stay: on the boundary, at a corner that the grid keeps, or with too many hits.
   bool read_ring(Index v) {
-    if (fixed_[v] != 0 || mesh_.on_boundary(v)) return false;
+    if (fixed_.test(v) || mesh_.on_boundary(v)) return false;
     ring_.clear();
     Vec3 sum = Vec3::Zero();
     Vec3 around = Vec3::Zero();
     for (const HalfEdgeId h : mesh_.ring(v)) {
       ring_.push_back(mesh_.hit[h / 3]);
-      if (ring_.size() > kMostHits) return false;
+      if (ring_.size() > kMaxHits) return false;
       sum += view_.hit_points[ring_.back()];
       around += mesh_.position[mesh_.end_vertex(h)];
     }
-    of_hits_ = sum / static_cast<double>(ring_.size());
+    middle_of_hits_ = sum / static_cast<double>(ring_.size());
     const LatticeBox& box = view_.boxes[mesh_.leaf[v]];
-    of_neighbours_ = (around / static_cast<double>(ring_.size()))
-                         .cwiseMax(to_vec3(box.lo))
-                         .cwiseMin(to_vec3(box.hi));
+    middle_of_neighbours_ = (around / static_cast<double>(ring_.size()))
+                                .cwiseMax(to_vec3(box.lo))
+                                .cwiseMin(to_vec3(box.hi));
     return true;
   }
 
   // Do the hits' planes meet in one point? Sharp corners stay exact.
   bool at_corner() const {
-    PrimalQuadric quadric(of_hits_);
+    PrimalQuadric quadric(middle_of_hits_);
     for (const Index h : ring_) quadric.add(view_.grid.plane_of(h));
     return quadric.certainty().sum() > 2.5;  // the rank
   }
 
-  // The least; once that is below `enough` the rest is not looked at. A triangle still has the
-  // number of its hit.
+  // Returns the least quality of the triangles round the vertex, or of the first ones if it is
+  // below `enough`. Every triangle has the number of its hit here.
   double ring_quality(double enough) const {
-    double least = kWide;
+    double least = kWideSine;
     for (const Index t : ring_) {
       least = std::min(least, quality(t));
       if (least < enough) break;
@@ -133,85 +136,11 @@ class Moving {
 
   GridView view_;
   DualMesh& mesh_;
-  std::vector<char> fixed_;  // per vertex: the grid keeps a corner for it
-  std::vector<Index> ring_;
-  Vec3 of_hits_;        // their middle
-  Vec3 of_neighbours_;  // theirs, or the leaf's point next to it
-};
-
-class AreaGiving {
- public:
-  AreaGiving(const GridView& view, DualMesh& mesh)
-      : view_(view),
-        mesh_(mesh),
-        rounding_(0x1p-20 *
-                  (view.grid.lattice.origin.cwiseAbs().maxCoeff() / view.grid.lattice.step +
-                   kLatticeSize)) {}
-
-  Index run() {
-    // What is so far off that 32 bits do not show half the tolerance stays as it is.
-    if (view_.grid.tolerance < rounding_ / 4) return 0;
-    for (Index t = 0; t < mesh_.triangles(); ++t) {
-      if (!mesh_.dropped(t) && without_area(t)) flat_.push_back(t);
-    }
-    Index moves = 0;
-    // Each move leaves fewer; what is in the way of one may be gone later.
-    for (bool moved = true; moved;) {
-      moved = false;
-      for (const Index t : flat_) {
-        for (Index h = 3 * t; h < 3 * t + 3 && without_area(t); ++h) {
-          if (!move(mesh_.vertex[h])) continue;
-          moved = true;
-          ++moves;
-        }
-      }
-    }
-    return moves;
-  }
-
- private:
-  bool without_area(Index t) const {
-    const Vec3& a = mesh_.position[mesh_.vertex[3 * t]];
-    const Vec3& b = mesh_.position[mesh_.vertex[3 * t + 1]];
-    const Vec3& c = mesh_.position[mesh_.vertex[3 * t + 2]];
-    const Vec3 first = b - a;
-    const Vec3 second = c - a;
-    const double longest = std::max(first.cwiseAbs().maxCoeff(), second.cwiseAbs().maxCoeff());
-    // Most have far more than rounding can take.
-    if (first.cross(second).cwiseAbs().maxCoeff() > rounding_ * longest) return false;
-    return is_flat(single_precision(view_.grid.lattice, a), single_precision(view_.grid.lattice, b),
-                   single_precision(view_.grid.lattice, c));
-  }
-
-  // To where fewer triangles round it are without area.
-  bool move(Index v) {
-    ring_.clear();
-    for (const HalfEdgeId h : mesh_.ring(v)) ring_.push_back(h);
-    if (ring_.size() > kMostHits) return false;
-    const auto count = [this] {
-      return std::count_if(ring_.begin(), ring_.end(),
-                           [this](Index h) { return without_area(h / 3); });
-    };
-    const auto now = count();
-    const Vec3 before = mesh_.position[v];
-    for (const double part : {1.0 / 64, 1.0 / 16, 1.0 / 4}) {
-      for (const Index h : ring_) {
-        Vec3 way = part * (mesh_.position[mesh_.end_vertex(h)] - before);
-        const double length = way.norm();
-        if (length > 0.5 * view_.grid.tolerance) way *= 0.5 * view_.grid.tolerance / length;
-        mesh_.position[v] = before + way;
-        if (count() < now) return true;
-      }
-    }
-    mesh_.position[v] = before;
-    return false;
-  }
-
-  GridView view_;
-  DualMesh& mesh_;
-  double rounding_;  // of a coordinate to 32 bits, generously
-  std::vector<Index> flat_;
-  std::vector<Index> ring_;
+  Marks fixed_;  // per vertex: the grid keeps a corner for it
+  // Of the vertex at hand:
+  std::vector<HitId> ring_;
+  Vec3 middle_of_hits_;
+  Vec3 middle_of_neighbours_;  // moved into the leaf
 };
 
 }  // namespace
@@ -220,7 +149,5 @@ Index move_off_slivers(const GridView& view, DualMesh& mesh) {
   if (!view.grid.rims.empty()) return 0;
   return Moving(view, mesh).run();
 }
-
-Index give_area(const GridView& view, DualMesh& mesh) { return AreaGiving(view, mesh).run(); }
 
 }  // namespace kdm

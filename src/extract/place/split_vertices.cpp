@@ -23,7 +23,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "extract/place/place.h"
+#include "extract/place/vertex_position.h"
 
 namespace kdm {
 namespace {

@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 
 #include "extract/emit.h"
+#include "extract/mend/give_area.h"
 #include "extract/mend/triangle_shape.h"
 #include "extract/place/place.h"
+#include "extract/place/vertex_position.h"
 #include "kdmanifold/build.h"
 #include "kdmanifold/extract.h"
 #include "support/dual_mesh_shapes.h"

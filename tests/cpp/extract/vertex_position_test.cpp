@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Where vertices go, on hand-made rings: flat ones, ridges and corners, in leaves of every size,
 // with the best place inside and outside of the leaf, exact and with noise.
-#include "extract/place/place.h"
+#include "extract/place/vertex_position.h"
 
 #include <gtest/gtest.h>
 
@@ -81,7 +81,7 @@ Ring ring(int rank, std::int32_t size, const Vec3& fraction, double noise, Rando
   return made;
 }
 
-TEST(Place, FlatRidgeAndCornerRingsInLeavesOfEverySize) {
+TEST(VertexPositions, FlatRidgeAndCornerRingsInLeavesOfEverySize) {
   Random random(1);
   for (const std::int32_t size : kSizes) {
     for (int round = 0; round < 300; ++round) {
@@ -115,7 +115,7 @@ TEST(Place, FlatRidgeAndCornerRingsInLeavesOfEverySize) {
 }
 
 // A loop passes a hit again where the leaves beside its edge are split further.
-TEST(Place, HitsOfCoincidentEdgesCountOnce) {
+TEST(VertexPositions, HitsOfCoincidentEdgesCountOnce) {
   Random random(5);
   for (int round = 0; round < 100; ++round) {
     Ring made(64, random);
@@ -144,7 +144,7 @@ TEST(Place, HitsOfCoincidentEdgesCountOnce) {
 
 // Noise in the normals moves the vertex by as much of the leaf, and not by the inverse: a flat ring
 // does not become a corner.
-TEST(Place, NoiseDoesNotMakeFeatures) {
+TEST(VertexPositions, NoiseDoesNotMakeFeatures) {
   Random random(2);
   for (const std::int32_t size : kSizes) {
     for (const double noise : {0.0, 1e-12, 1e-6, 1e-3, 0.02}) {
@@ -166,7 +166,7 @@ TEST(Place, NoiseDoesNotMakeFeatures) {
 }
 
 // The same ring in a leaf of another size gives the same place in it.
-TEST(Place, TheSizeOfTheLeafDoesNotMatter) {
+TEST(VertexPositions, TheSizeOfTheLeafDoesNotMatter) {
   for (int round = 0; round < 200; ++round) {
     for (const VertexPosition position : kPositions) {
       std::vector<Vec3> places;
@@ -188,7 +188,7 @@ TEST(Place, TheSizeOfTheLeafDoesNotMatter) {
   }
 }
 
-TEST(Place, OutsideTheLeafOneIsTheBestTheOtherTheNearest) {
+TEST(VertexPositions, OutsideTheLeafOneIsTheBestTheOtherTheNearest) {
   Random random(4);
   int different = 0;
   for (const std::int32_t size : kSizes) {
@@ -217,7 +217,7 @@ TEST(Place, OutsideTheLeafOneIsTheBestTheOtherTheNearest) {
   EXPECT_GT(different, 600);
 }
 
-TEST(Place, BothGiveManifolds) {
+TEST(VertexPositions, BothGiveManifolds) {
   for (const Mesh& mesh : {shapes::rotated(shapes::torus(1, 0.4, 24, 12), Vec3(1, 2, 3), 1),
                            shapes::rotated(shapes::thin_walled_box(0.02), Vec3(3, 1, 2), 1)}) {
     const Grid grid = build_grid(mesh, {.strategy = SplitStrategy::kUniform, .depth = 9});
