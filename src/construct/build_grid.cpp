@@ -11,7 +11,6 @@
 #include "kdmanifold/thicken.h"
 #include "link/corners.h"
 #include "link/link.h"
-#include "link/used_planes.h"
 #include "mesh/progress.h"
 #include "prepare/surface.h"
 
@@ -64,19 +63,20 @@ int depth_limit(const BuildOptions& options) {
 Grid build_grid(const Mesh& mesh, const BuildOptions& options, const Progress& progress) try {
   check_options(options);
   report_progress(progress, 0.0, "prepare");
-  Surface surface = options.thicken > 0 ? prepare_surface(thicken(mesh, options.thicken), options)
-                                        : prepare_surface(mesh, options);
+  const Surface surface = options.thicken > 0
+                              ? prepare_surface(thicken(mesh, options.thicken), options)
+                              : prepare_surface(mesh, options);
   check_thickness(options.thicken, surface.lattice.step);
   auto grid = std::make_unique<GridData>();
   grid->sheet = surface.sheet;
   grid->lattice = surface.lattice;
   grid->input = surface.report;
   report_progress(progress, 0.1, "build");
-  const double tolerance = construct_cells(
+  const ConstructedCells made = construct_cells(
       surface, options, tolerance_of(options, surface.diagonal) / surface.lattice.step,
       depth_limit(options), part_of_progress(progress, 0.1, 0.8), *grid);
-  grid->tolerance =
-      tolerance > 0 ? tolerance : kUsualTolerance * surface.diagonal / surface.lattice.step;
+  grid->tolerance = made.tolerance > 0 ? made.tolerance
+                                       : kUsualTolerance * surface.diagonal / surface.lattice.step;
   grid->stats.tolerance = grid->tolerance * surface.lattice.step;
   report_progress(progress, 0.8, "link");
   if (surface.repair && grid->hits.empty()) {
@@ -84,11 +84,8 @@ Grid build_grid(const Mesh& mesh, const BuildOptions& options, const Progress& p
                 "the surface encloses nothing: it is open, and no point lies behind it on most "
                 "sides; thicken it, or take it as a sheet");
   }
-  grid->planes = std::move(surface.planes);
-  grid->source_faces = std::move(surface.source_faces);
-  link_half_edges(surface, options.pairing, *grid);
-  keep_corners(surface, *grid);
-  keep_used_planes(surface, *grid);
+  link_half_edges(surface, made.triangle_of_hit, options.pairing, *grid);
+  keep_corners(surface, made.triangle_of_hit, *grid);
   grid->stats.cells = static_cast<Index>(grid->cells.size());
   grid->stats.leaves = static_cast<Index>(grid->cells.size() - grid->cells.size() / 2);
   grid->stats.hits = static_cast<Index>(grid->hits.size());

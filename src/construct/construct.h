@@ -2,16 +2,30 @@
 // The top-down construction of the cell tree and its hits (paper 5.1.1).
 #pragma once
 
+#include <vector>
+
 #include "grid/grid_data.h"
 #include "kdmanifold/build.h"
 #include "prepare/surface.h"
 
 namespace kdm {
 
-/// Fills cells, splitting edges and hits of `grid`; links are another step. `tolerance` in lattice
-/// units and `depth` are what the options come to for this surface. Returns the tolerance of the
-/// cells: a wider one where a surface to be repaired would take beyond all measure.
-double construct_cells(Surface& surface, const BuildOptions& options, double tolerance, int depth,
-                       const Progress& progress, GridData& grid);
+/// What construction says beside the grid.
+struct ConstructedCells {
+  double tolerance;  ///< to which the cells were made, lattice units
+  /// Per hit the triangle of the surface that makes it; kNone for hits that close a hole. Links and
+  /// corners follow the surface by it; the finished grid does without.
+  std::vector<TriangleId> triangle_of_hit;
+};
+
+/// Splits cells until the rule that the options choose is content, and fills the cells, splitting
+/// edges, hits, planes and source faces of `grid`; half-edges are linked by a later step. Grids of
+/// the same surface and options are the same. `tolerance` is in lattice units, and no cell is
+/// deeper than `depth`. The tolerance is widened, and the cells are made anew, where a surface to
+/// be repaired would take more than a fixed budget of splits and winding numbers (see Budget).
+/// Throws `kAborted` if `progress` says so.
+ConstructedCells construct_cells(const Surface& surface, const BuildOptions& options,
+                                 double tolerance, int depth, const Progress& progress,
+                                 GridData& grid);
 
 }  // namespace kdm

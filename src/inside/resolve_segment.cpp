@@ -30,11 +30,12 @@ bool consistent(const Segment& segment, const std::vector<Crossing>& crossings) 
 }
 
 void SegmentResolver::resolve(const Segment& segment, std::vector<Crossing>& crossings, bool invent,
-                              std::vector<WalkedCrossing>& walked) {
-  walked.clear();
+                              std::vector<ClassifiedCrossing>& classified) {
   sort_crossings(crossings);
   if (consistent(segment, crossings)) {
-    for (const Crossing& c : crossings) walked.push_back({c, c.leaving ? 0 : 1, true, c.leaving});
+    for (const Crossing& c : crossings) {
+      classified.emplace_back(c.position, c.triangle, c.leaving ? 0 : 1, true, c.leaving);
+    }
     return;
   }
   find_clusters(segment, crossings);
@@ -44,7 +45,7 @@ void SegmentResolver::resolve(const Segment& segment, std::vector<Crossing>& cro
     if (inside == inside_next) return;
     if (invent) {
       const LinePosition position = change_between(segment, last, next, inside);
-      walked.push_back({{position, kNone, inside}, inside ? 0 : 1, true, inside});
+      classified.emplace_back(position, kNone, inside ? 0 : 1, true, inside);
     }
     inside = inside_next;
   };
@@ -57,7 +58,8 @@ void SegmentResolver::resolve(const Segment& segment, std::vector<Crossing>& cro
     while (keep < cluster.end && crossings[keep].leaving != inside) ++keep;
     if (keep == cluster.end) keep = cluster.begin;
     for (std::size_t i = cluster.begin; i < cluster.end; ++i) {
-      walked.push_back({crossings[i], cluster.inside_after ? 1 : 0, changes && i == keep, inside});
+      classified.emplace_back(crossings[i].position, crossings[i].triangle,
+                              cluster.inside_after ? 1 : 0, changes && i == keep, inside);
     }
     inside = cluster.inside_after;
     last = crossings[cluster.end - 1].position;

@@ -9,7 +9,7 @@
 
 namespace kdm {
 
-/// Part of a grid line with a grid vertex at either end; whether these are inside is known.
+/// A part of a grid line with a grid vertex at either end, which is known to be inside or not.
 struct Segment {
   int axis;
   LatticePoint low;
@@ -18,19 +18,21 @@ struct Segment {
   bool inside_high;
 };
 
+/// Decides which crossings of a segment are hits where they contradict each other or its ends.
 class SegmentResolver {
  public:
-  /// Invented crossings are exact to `precision`, lattice units.
+  /// The positions of invented crossings are exact to `precision`, in lattice units.
   SegmentResolver(const WindingField& field, double precision)
       : field_(field), precision_(precision) {}
 
-  /// Sorts the crossings. Those that alternate and fit the ends are all kept, and the field is not
-  /// asked. Otherwise it is, beside each crossing, and the crossings across which it changes are
-  /// kept, turned where they run against the change. Where it changes between two of them, at a
-  /// hole, the list may `invent` a crossing without triangle (kNone); the kept ones of the result
-  /// then alternate and fit the ends.
+  /// Sorts the crossings of a segment and appends them to `classified`; their states are 1 inside
+  /// and 0 outside. Crossings that alternate and fit the segment's ends are all kept, and the field
+  /// is not asked. Otherwise the field is asked on both sides of each crossing; a crossing is kept
+  /// if the state changes across it, and turned if it runs against the change. With `invent`, a
+  /// crossing without triangle (kNone) is added where the state changes between two crossings, at
+  /// a hole; then the crossings that are kept alternate and fit the ends.
   void resolve(const Segment& segment, std::vector<Crossing>& crossings, bool invent,
-               std::vector<WalkedCrossing>& walked);
+               std::vector<ClassifiedCrossing>& classified);
 
  private:
   // Crossings that lie so close together that the field cannot tell what is between them.
@@ -51,7 +53,7 @@ class SegmentResolver {
   std::vector<Cluster> clusters_;
 };
 
-/// Do the crossings alternate and fit both ends? They are in order.
+/// Returns whether the crossings, which ascend, alternate and fit both ends of the segment.
 bool consistent(const Segment& segment, const std::vector<Crossing>& crossings);
 
 }  // namespace kdm

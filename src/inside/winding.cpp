@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The walk along one edge.
+// Winding numbers followed up one edge.
 #include "inside/winding.h"
 
 #include <algorithm>
@@ -13,32 +13,25 @@ void sort_crossings(std::vector<Crossing>& crossings) {
   });
 }
 
-int walk_edge(std::vector<Crossing>& crossings, int winding_below, InsideRule rule,
-              std::vector<WalkedCrossing>& walked) {
-  walked.clear();
-  sort_crossings(crossings);
-  if (rule == InsideRule::kSheet) {
-    for (const Crossing& crossing : crossings) {
-      walked.push_back({crossing, winding_below, true, crossing.leaving});
-    }
-    return winding_below;
-  }
+int classify_crossings(std::vector<Crossing>& found, int winding_below, InsideRule rule,
+                       std::vector<ClassifiedCrossing>& classified) {
+  sort_crossings(found);
   int winding = winding_below;
-  for (std::size_t first = 0; first < crossings.size();) {
+  for (std::size_t first = 0; first < found.size();) {
     std::size_t last = first;
     int after = winding;
-    while (last < crossings.size() && crossings[last].position == crossings[first].position) {
-      after += crossings[last].leaving ? -1 : 1;
+    while (last < found.size() && found[last].position == found[first].position) {
+      after = state_after(after, found[last]);
       ++last;
     }
     const bool was_inside = is_inside(rule, winding);
     const bool changes = was_inside != is_inside(rule, after);
-    // The one to keep: the first that runs the way of the change; else (odd rule) the first.
     std::size_t keep = first;
-    while (keep < last && crossings[keep].leaving != was_inside) ++keep;
+    while (keep < last && found[keep].leaving != was_inside) ++keep;
     if (keep == last) keep = first;
     for (std::size_t i = first; i < last; ++i) {
-      walked.push_back({crossings[i], after, changes && i == keep, was_inside});
+      classified.emplace_back(found[i].position, found[i].triangle, after, changes && i == keep,
+                              was_inside);
     }
     winding = after;
     first = last;

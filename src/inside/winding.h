@@ -1,22 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Which of an edge's crossings bound the solid (algorithm: winding numbers and inside rules).
+// Winding numbers along a grid edge, and which of its crossings bound the solid (paper 5.2).
 #pragma once
 
 #include <vector>
 
-#include "geometry/predicates.h"
+#include "inside/crossing.h"
 #include "kdmanifold/build.h"
 
 namespace kdm {
 
-/// An intersection of the input with a grid edge, before the inside rule has filtered it.
-struct Crossing {
-  LinePosition position;
-  Index triangle;
-  bool leaving;  ///< the triangle's normal points up the edge
-};
-
-/// Is a point of this winding number in the solid?
+/// Returns whether points with this winding number are in the solid.
 constexpr bool is_inside(InsideRule rule, int winding) {
   switch (rule) {
     case InsideRule::kPositive:
@@ -32,22 +25,20 @@ constexpr bool is_inside(InsideRule rule, int winding) {
   return false;
 }
 
-/// A crossing with what the walk along the edge found.
-struct WalkedCrossing {
-  Crossing crossing;
-  int winding_after;  ///< just above it
-  bool kept;          ///< the inside rule changes here ...
-  bool leaving;       ///< ... from inside to outside
-};
+/// Returns the winding number above a crossing below which it is `winding`.
+inline int state_after(int winding, const Crossing& crossing) {
+  return winding + (crossing.leaving ? -1 : 1);
+}
 
-/// Up the edge; at one position by number.
+/// Sorts crossings up the edge; those at one position by the number of their triangle.
 void sort_crossings(std::vector<Crossing>& crossings);
 
-/// Sorts the crossings of one edge and walks up it from a point of known winding. Crossings at
-/// one position count together, so that no stretch of length zero survives; of these the first
-/// whose own direction fits is kept. Returns the winding number at the upper end. Sheets keep every
-/// crossing as it runs and have no winding numbers: theirs stays what it was.
-int walk_edge(std::vector<Crossing>& crossings, int winding_below, InsideRule rule,
-              std::vector<WalkedCrossing>& walked);
+/// Sorts the crossings found on one edge, follows the winding number up the edge from
+/// `winding_below`, and appends each crossing to `classified`. Where the inside rule changes, one
+/// crossing is kept. Crossings at one position count together, so that no stretch of length zero
+/// survives; of these the first that runs the way of the change is kept, or the first of all if
+/// none does. Returns the winding number at the upper end.
+int classify_crossings(std::vector<Crossing>& found, int winding_below, InsideRule rule,
+                       std::vector<ClassifiedCrossing>& classified);
 
 }  // namespace kdm

@@ -32,8 +32,11 @@ constexpr double kPassing = 0.05;
 
 class CornerSearch {
  public:
-  CornerSearch(const Surface& surface, GridData& grid)
-      : surface_(surface), grid_(grid), crease_vertices_(surface, grid.planes, kHalfOfThat) {}
+  CornerSearch(const Surface& surface, std::span<const TriangleId> triangle_of_hit, GridData& grid)
+      : surface_(surface),
+        triangle_of_hit_(triangle_of_hit),
+        grid_(grid),
+        crease_vertices_(surface, surface.planes, kHalfOfThat) {}
 
   void run() {
     if (crease_vertices_.all().empty()) return;
@@ -50,7 +53,7 @@ class CornerSearch {
 
  private:
   const CreaseVertex& crease_vertex(Index number) const { return crease_vertices_.all()[number]; }
-  const Vec3& normal(Index triangle) const { return grid_.planes[triangle].normal; }
+  const Vec3& normal(Index triangle) const { return surface_.planes[triangle].normal; }
   const LatticeBox& home_of(Index number) const { return boxes_[home_[number]]; }
 
   Index leaf_at(const LatticePoint& p) const {
@@ -133,8 +136,8 @@ class CornerSearch {
       const auto place = std::lower_bound(half_edges.begin(), half_edges.end(), half_edge);
       walked_[static_cast<std::size_t>(place - half_edges.begin())] = 1;
       // What closes a hole has no plane that counts.
-      const Index triangle = grid_.hits[half_edge / 3].plane();
-      if (triangle < surface_.triangles.size()) hits_.push_back(triangle);
+      const TriangleId triangle = triangle_of_hit_[half_edge / 3];
+      if (triangle != kNone) hits_.push_back(triangle);
       const Index other = grid_.opposite[half_edge];
       if (other == kNone) return false;
       half_edge = next_half_edge(other, grid_.hits[other / 3].reversed());
@@ -157,7 +160,7 @@ class CornerSearch {
 
   bool planes_pass(const Vec3& p, double within) const {
     return std::all_of(hits_.begin(), hits_.end(), [&](Index triangle) {
-      return grid_.planes[triangle].distance(p) <= within;
+      return surface_.planes[triangle].distance(p) <= within;
     });
   }
 
@@ -221,7 +224,7 @@ class CornerSearch {
   }
 
   void add_planes(const CreaseVertex& corner, PrimalQuadric& quadric) const {
-    for (const Index t : crease_vertices_.triangles_round(corner)) quadric.add(grid_.planes[t]);
+    for (const Index t : crease_vertices_.triangles_round(corner)) quadric.add(surface_.planes[t]);
   }
 
   // Where the planes met before rounding.
@@ -236,6 +239,7 @@ class CornerSearch {
   }
 
   const Surface& surface_;
+  std::span<const TriangleId> triangle_of_hit_;
   GridData& grid_;
   CreaseVertices crease_vertices_;
   std::vector<LatticeBox> boxes_;
@@ -253,6 +257,9 @@ class CornerSearch {
 
 }  // namespace
 
-void keep_corners(const Surface& surface, GridData& grid) { CornerSearch(surface, grid).run(); }
+void keep_corners(const Surface& surface, std::span<const TriangleId> triangle_of_hit,
+                  GridData& grid) {
+  CornerSearch(surface, triangle_of_hit, grid).run();
+}
 
 }  // namespace kdm

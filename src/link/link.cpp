@@ -26,8 +26,9 @@ constexpr Index kMatchingLimit = 256;
 
 class Linking {
  public:
-  Linking(const Surface& surface, Pairing pairing, GridData& grid)
-      : surface_(surface), pairing_(pairing), grid_(grid) {}
+  Linking(const Surface& surface, std::span<const TriangleId> triangle_of_hit, Pairing pairing,
+          GridData& grid)
+      : surface_(surface), triangle_of_hit_(triangle_of_hit), pairing_(pairing), grid_(grid) {}
 
   void operator()(const MinimalFace& face) {
     if (face.strip()) {
@@ -44,7 +45,7 @@ class Linking {
     }
     if (pairing_ == Pairing::kTrace &&
         (surface_.repair || (count > 2 && count <= kMatchingLimit))) {
-      trace_outline(surface_, grid_, face, outline_, traces_);
+      trace_outline(surface_, triangle_of_hit_, face, outline_, traces_);
     }
     if (count == 2) {
       link(face, outline_[0], outline_[1], grid_);
@@ -87,7 +88,7 @@ class Linking {
     if (pairing_ != Pairing::kTrace) return;
     for (Index i = 0; i < partner.size(); ++i) {
       if (traces_[i].rim == kNone) continue;
-      const RimHit rim = rim_hit(surface_, grid_, face, outline_[i].half_edge, traces_[i].rim);
+      const RimHit rim = rim_hit(surface_, face, outline_[i].half_edge, traces_[i].rim);
       const Index other = traces_[partner[i]].rim;
       if (other != kNone && is_seam(rim.point, rim_point(surface_, other, face.axis, face.plane))) {
         continue;
@@ -108,6 +109,7 @@ class Linking {
   }
 
   const Surface& surface_;
+  std::span<const TriangleId> triangle_of_hit_;
   Pairing pairing_;
   GridData& grid_;
   std::vector<OutlineHit> outline_;
@@ -117,14 +119,15 @@ class Linking {
 
 }  // namespace
 
-void link_half_edges(const Surface& surface, Pairing pairing, GridData& grid) {
+void link_half_edges(const Surface& surface, std::span<const TriangleId> triangle_of_hit,
+                     Pairing pairing, GridData& grid) {
   grid.opposite.assign(3 * grid.hits.size(), kNone);
   grid.start.assign(3 * grid.hits.size(), kNone);
   if (grid.sheet) {
-    link_sheet(surface, pairing, grid);
+    link_sheet(surface, triangle_of_hit, pairing, grid);
     return;
   }
-  Linking linking(surface, pairing, grid);
+  Linking linking(surface, triangle_of_hit, pairing, grid);
   for_each_face(grid, cell_boxes(grid), linking);
   sort_rims(grid);
 }

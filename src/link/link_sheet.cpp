@@ -20,8 +20,9 @@ namespace {
 
 class SheetLinking {
  public:
-  SheetLinking(const Surface& surface, Pairing pairing, GridData& grid)
-      : surface_(surface), pairing_(pairing), grid_(grid) {}
+  SheetLinking(const Surface& surface, std::span<const TriangleId> triangle_of_hit, Pairing pairing,
+               GridData& grid)
+      : surface_(surface), triangle_of_hit_(triangle_of_hit), pairing_(pairing), grid_(grid) {}
 
   void operator()(const MinimalFace& face) {
     if (face.strip()) {
@@ -50,11 +51,11 @@ class SheetLinking {
  private:
   // Keeps what is traced, and where the surface ends within the face.
   void trace_all(const MinimalFace& face) {
-    trace_outline(surface_, grid_, face, outline_, traces_);
+    trace_outline(surface_, triangle_of_hit_, face, outline_, traces_);
     for (Index i = 0; i < traces_.size(); ++i) {
       partner_[i] = traces_[i].end;
       if (traces_[i].rim != kNone) {
-        rims_[i] = rim_hit(surface_, grid_, face, outline_[i].half_edge, traces_[i].rim);
+        rims_[i] = rim_hit(surface_, face, outline_[i].half_edge, traces_[i].rim);
       }
     }
   }
@@ -87,6 +88,7 @@ class SheetLinking {
   }
 
   const Surface& surface_;
+  std::span<const TriangleId> triangle_of_hit_;
   Pairing pairing_;
   GridData& grid_;
   std::vector<OutlineHit> outline_;
@@ -99,8 +101,9 @@ class SheetLinking {
 
 }  // namespace
 
-void link_sheet(const Surface& surface, Pairing pairing, GridData& grid) {
-  SheetLinking linking(surface, pairing, grid);
+void link_sheet(const Surface& surface, std::span<const TriangleId> triangle_of_hit,
+                Pairing pairing, GridData& grid) {
+  SheetLinking linking(surface, triangle_of_hit, pairing, grid);
   for_each_face(grid, cell_boxes(grid), linking);
   sort_rims(grid);
 }

@@ -28,11 +28,12 @@ void link_strip(const MinimalFace& face, GridData& grid) {
   }
 }
 
-void trace_outline(const Surface& surface, const GridData& grid, const MinimalFace& face,
-                   const std::vector<OutlineHit>& outline, std::vector<Traced>& traced) {
+void trace_outline(const Surface& surface, std::span<const TriangleId> triangle_of_hit,
+                   const MinimalFace& face, const std::vector<OutlineHit>& outline,
+                   std::vector<Traced>& traced) {
   std::vector<TraceEnd> ends;
   ends.reserve(outline.size());
-  for (const OutlineHit& h : outline) ends.push_back({grid.hits[h.hit].plane(), h.side});
+  for (const OutlineHit& h : outline) ends.push_back({triangle_of_hit[h.hit], h.side});
   const std::array<std::int32_t, 2> lo{face.lo(0), face.lo(1)};
   const std::array<std::int32_t, 2> hi{face.hi(0), face.hi(1)};
   traced.clear();

@@ -3,6 +3,7 @@
 // well two of them fit each other, and their links.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "grid/faces.h"
@@ -46,8 +47,9 @@ void link_strip(const MinimalFace& face, GridData& grid);
 
 /// Walks along the surface's section with the face from each of its hits; `end` is kept where both
 /// ends agree upon it and are compatible.
-void trace_outline(const Surface& surface, const GridData& grid, const MinimalFace& face,
-                   const std::vector<OutlineHit>& outline, std::vector<Traced>& traced);
+void trace_outline(const Surface& surface, std::span<const TriangleId> triangle_of_hit,
+                   const MinimalFace& face, const std::vector<OutlineHit>& outline,
+                   std::vector<Traced>& traced);
 
 /// The surface's tangent line at a hit, on the face.
 struct Tangent {

@@ -8,10 +8,9 @@
 
 namespace kdm {
 
-RimHit rim_hit(const Surface& surface, const GridData& grid, const MinimalFace& face,
-               Index half_edge, Index side) {
+RimHit rim_hit(const Surface& surface, const MinimalFace& face, Index half_edge, Index side) {
   return {half_edge, rim_point(surface, side, face.axis, face.plane),
-          rim_plane(surface, side, grid.planes[side / 3].normal).normal};
+          rim_plane(surface, side, surface.planes[side / 3].normal).normal};
 }
 
 void sort_rims(GridData& grid) {

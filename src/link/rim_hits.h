@@ -8,8 +8,7 @@
 namespace kdm {
 
 /// What the grid keeps of a rim side that leaves the face at the link of this half-edge.
-RimHit rim_hit(const Surface& surface, const GridData& grid, const MinimalFace& face,
-               Index half_edge, Index side);
+RimHit rim_hit(const Surface& surface, const MinimalFace& face, Index half_edge, Index side);
 
 /// Sorts the grid's rim hits by half-edge, as look-ups want them.
 void sort_rims(GridData& grid);

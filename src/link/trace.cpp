@@ -38,7 +38,7 @@ Traced trace(const Surface& surface, int axis, std::int32_t value,
              const std::array<std::int32_t, 2>& lo, const std::array<std::int32_t, 2>& hi,
              std::span<const TraceEnd> ends, Index start) {
   Index triangle = ends[start].triangle;
-  if (triangle >= surface.triangles.size()) return {};  // invented
+  if (triangle == kNone) return {};  // invented
   // With normal N, the section of a triangle runs along N x w from the side that crosses the
   // plane upwards to the one that crosses it downwards. At a side of the rectangle normal to b,
   // (N x w) . b = N . (w x b), and w x b is the direction of the side, up to sign: +v for b = u,

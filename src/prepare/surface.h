@@ -20,7 +20,7 @@ struct Surface {
   double diagonal = 0;  ///< of the bounding box, model units
   std::vector<LatticeTriangle> triangles;
   std::vector<Triangle> corners;    ///< numbers of the corners' points
-  std::vector<Plane> planes;        ///< of the triangles before rounding; then of invented hits
+  std::vector<Plane> planes;        ///< of the triangles before rounding, lattice units
   std::vector<Index> source_faces;  ///< what the input calls the face
   Marks degenerate;  ///< triangles without area on the lattice: never hit, but still neighbours
   Topology topology;

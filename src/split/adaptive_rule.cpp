@@ -194,12 +194,13 @@ class AdaptiveRule : public SplitRule {
         point[u] = high_u ? cell.box.hi[u] : cell.box.lo[u];
         point[v] = high_v ? cell.box.hi[v] : cell.box.lo[v];
         for (Index i = edge.begin; i < edge.end; ++i) {
-          const Index triangle = cell.crossings[i].plane();
-          const bool kept = cell.kept[i] != 0;
+          const ClassifiedCrossing& crossing = cell.crossings[i];
+          const TriangleId triangle = crossing.triangle();
+          const bool kept = crossing.kept();
           crossings_.all.push_back({triangle, number, kept});
           dropped_ = dropped_ || !kept;
           if (!kept) continue;
-          point[axis] = real_position(cell.crossings[i].position);
+          point[axis] = real_position(crossing.position());
           hits_.push_back({point, &surface_.planes[triangle], triangle});
         }
       }

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "grid/grid_data.h"
+#include "inside/crossing.h"
 #include "kdmanifold/build.h"
 #include "prepare/surface.h"
 #include "split/triangle_lists.h"
@@ -44,8 +44,7 @@ struct CellView {
   std::span<const ListEntry> entries;  ///< triangles that may reach the cell, at least one
   RuleRange range;
   const CellEdges& edges;
-  const std::vector<Hit>& crossings;  ///< all so far; `edges` refers to them
-  const std::vector<char>& kept;      ///< per crossing: the inside rule changes there
+  const std::vector<ClassifiedCrossing>& crossings;  ///< all so far; `edges` refers to them
 };
 
 /// One object serves the whole construction; it is asked about cells in depth-first order.

@@ -42,17 +42,17 @@ class Line {
   }
 
   std::string resolve(bool invent = true) {
-    std::vector<WalkedCrossing> walked;
-    SegmentResolver(field_, 1.0 / 16).resolve(segment_, crossings_, invent, walked);
+    std::vector<ClassifiedCrossing> classified;
+    SegmentResolver(field_, 1.0 / 16).resolve(segment_, crossings_, invent, classified);
     std::string text;
     LinePosition last = 0;
-    for (const WalkedCrossing& c : walked) {
-      EXPECT_GE(c.crossing.position, last);
-      last = c.crossing.position;
-      if (!c.kept) continue;
-      text += c.leaving ? '>' : '<';
-      if (c.crossing.triangle == kNone) text += "new";
-      positions.push_back(real_position(c.crossing.position));
+    for (const ClassifiedCrossing& c : classified) {
+      EXPECT_GE(c.position(), last);
+      last = c.position();
+      if (!c.kept()) continue;
+      text += c.leaving() ? '>' : '<';
+      if (c.triangle() == kNone) text += "new";
+      positions.push_back(real_position(c.position()));
     }
     return text;
   }

@@ -23,20 +23,20 @@ std::string kept(const std::vector<std::pair<char, LinePosition>>& input, Inside
   for (const auto& [direction, position] : input) {
     crossings.push_back({position, static_cast<Index>(crossings.size()), direction == '>'});
   }
-  std::vector<WalkedCrossing> walked;
-  walk_edge(crossings, winding_below, rule, walked);
+  std::vector<ClassifiedCrossing> classified;
+  classify_crossings(crossings, winding_below, rule, classified);
   std::string text;
-  for (const WalkedCrossing& w : walked) {
-    if (w.kept) text += (w.leaving ? '>' : '<') + std::to_string(w.crossing.position) + ' ';
+  for (const ClassifiedCrossing& c : classified) {
+    if (c.kept()) text += (c.leaving() ? '>' : '<') + std::to_string(c.position()) + ' ';
   }
   return text;
 }
 
 TEST(Winding, NothingToWalk) {
   std::vector<Crossing> none;
-  std::vector<WalkedCrossing> walked(3);
-  EXPECT_EQ(walk_edge(none, 2, InsideRule::kPositive, walked), 2);
-  EXPECT_TRUE(walked.empty());
+  std::vector<ClassifiedCrossing> classified(3, ClassifiedCrossing(1, 2, 3, true, false));
+  EXPECT_EQ(classify_crossings(none, 2, InsideRule::kPositive, classified), 2);
+  EXPECT_EQ(classified.size(), 3u) << "what was there before stays";
 }
 
 TEST(Winding, ASolidIsEnteredAndLeftUnderEveryRule) {
@@ -101,17 +101,18 @@ TEST(Winding, TheWalkStartsFromTheWindingBelow) {
 
 TEST(Winding, OfSeveralAtOnePositionTheFirstThatFitsIsKept) {
   std::vector<Crossing> crossings{{7, 5, true}, {7, 2, false}, {7, 9, false}, {7, 4, false}};
-  std::vector<WalkedCrossing> walked;
-  EXPECT_EQ(walk_edge(crossings, 0, InsideRule::kPositive, walked), 2);
-  ASSERT_EQ(walked.size(), 4u);
-  for (const WalkedCrossing& w : walked) {
-    EXPECT_EQ(w.kept, w.crossing.triangle == 2) << w.crossing.triangle;
-    EXPECT_EQ(w.winding_after, 2);
+  std::vector<ClassifiedCrossing> classified;
+  EXPECT_EQ(classify_crossings(crossings, 0, InsideRule::kPositive, classified), 2);
+  ASSERT_EQ(classified.size(), 4u);
+  for (const ClassifiedCrossing& c : classified) {
+    EXPECT_EQ(c.kept(), c.triangle() == 2) << c.triangle();
+    EXPECT_EQ(c.state_after(), 2);
   }
   // The order in which they were found does not count.
   std::vector<Crossing> reversed{{7, 4, false}, {7, 9, false}, {7, 2, false}, {7, 5, true}};
-  walk_edge(reversed, 0, InsideRule::kPositive, walked);
-  for (const WalkedCrossing& w : walked) EXPECT_EQ(w.kept, w.crossing.triangle == 2);
+  classified.clear();
+  classify_crossings(reversed, 0, InsideRule::kPositive, classified);
+  for (const ClassifiedCrossing& c : classified) EXPECT_EQ(c.kept(), c.triangle() == 2);
 }
 
 bool inside(InsideRule rule, int winding) {
@@ -140,16 +141,16 @@ TEST(Winding, RandomEdgesAgreeWithCountingAtEveryPosition) {
       after[position] = winding;
       if (was != inside(rule, winding)) expected[position] = was;
     }
-    std::vector<WalkedCrossing> walked;
-    ASSERT_EQ(walk_edge(crossings, start, rule, walked), winding) << "the sum of all";
-    ASSERT_EQ(walked.size(), count);
+    std::vector<ClassifiedCrossing> classified;
+    ASSERT_EQ(classify_crossings(crossings, start, rule, classified), winding) << "the sum of all";
+    ASSERT_EQ(classified.size(), count);
     std::map<LinePosition, bool> result;
     bool leaving = inside(rule, start);
-    for (const WalkedCrossing& w : walked) {
-      ASSERT_EQ(w.winding_after, after[w.crossing.position]);
-      if (!w.kept) continue;
-      ASSERT_TRUE(result.emplace(w.crossing.position, w.leaving).second) << "one a position";
-      ASSERT_EQ(w.leaving, leaving) << "kept hits alternate";
+    for (const ClassifiedCrossing& c : classified) {
+      ASSERT_EQ(c.state_after(), after[c.position()]);
+      if (!c.kept()) continue;
+      ASSERT_TRUE(result.emplace(c.position(), c.leaving()).second) << "one a position";
+      ASSERT_EQ(c.leaving(), leaving) << "kept hits alternate";
       leaving = !leaving;
     }
     ASSERT_EQ(result, expected) << "round " << round;

@@ -62,6 +62,7 @@ class OneFace {
                                  reversed_on_edge(side, leaving)));
         grid_.planes.push_back({points_[i].normal, 0});
         grid_.source_faces.push_back(number);
+        triangle_of_hit_.push_back(number);
         // Some triangles cross the plane upwards, some downwards, some not at all; neighbours are
         // anything: what a trace finds there is nonsense, and must do no harm.
         LatticeTriangle t{};
@@ -88,7 +89,7 @@ class OneFace {
   // Partners round the outline.
   std::vector<std::size_t> link(Pairing pairing) {
     grid_.stats = {};
-    link_half_edges(surface_, pairing, grid_);
+    link_half_edges(surface_, triangle_of_hit_, pairing, grid_);
     std::vector<std::size_t> partner(points_.size(), points_.size());
     for (std::size_t i = 0; i < points_.size(); ++i) {
       const Index other = grid_.opposite[half_edge_[i]];
@@ -107,6 +108,7 @@ class OneFace {
   std::vector<bool> enters_;
   GridData grid_;
   Surface surface_;
+  std::vector<TriangleId> triangle_of_hit_;
   std::vector<Index> half_edge_;
 };
 

@@ -85,7 +85,7 @@ std::vector<BuildOptions> all_strategies() {
 }
 
 // However cells are split, whatever the input: closed and 2-manifold, and the grid is sound.
-TEST(Repair, EverythingBecomesASolid) {
+TEST(WindingOracle, EverythingBecomesASolid) {
   const std::vector<Damage> cases = {
       {"sphere with a hole", shapes::open(shapes::icosphere(3), 60)},
       {"sphere with many holes", punched(shapes::icosphere(3), 8, 0.2)},
@@ -108,7 +108,7 @@ TEST(Repair, EverythingBecomesASolid) {
 }
 
 // No tolerance is met where triangles cross everywhere: the whole is met as closely as time allows.
-TEST(Repair, WhatWouldTakeForEverIsMetLessClosely) {
+TEST(WindingOracle, WhatWouldTakeForEverIsMetLessClosely) {
   if (check::kSanitized) GTEST_SKIP() << "takes a minute with sanitizers";
   const BuildOptions options{.tolerance = 0.001};
   EXPECT_EQ(build_grid(random_triangles(30), {.tolerance = 0.05}).stats().tolerance, 0.05);
@@ -124,7 +124,7 @@ TEST(Repair, WhatWouldTakeForEverIsMetLessClosely) {
   extract_sound(grid, "random triangles");
 }
 
-TEST(Repair, ClosedInputIsTakenAsItIs) {
+TEST(WindingOracle, ClosedInputIsTakenAsItIs) {
   for (const Mesh& mesh : {shapes::cube(), shapes::nested_spheres(), shapes::overlapping_cubes(),
                            shapes::cube_with_flaps(), shapes::inverted(shapes::torus())}) {
     const Grid exact = build_grid(mesh, {.inside = InsideRule::kPositive});
@@ -134,7 +134,7 @@ TEST(Repair, ClosedInputIsTakenAsItIs) {
   }
 }
 
-TEST(Repair, ABoxWithoutASideIsABox) {
+TEST(WindingOracle, ABoxWithoutASideIsABox) {
   const Grid grid = build_grid(shapes::open(shapes::cube(), 2), {.relative_tolerance = 0.01});
   const ExtractedMesh out = extract(grid);
   EXPECT_TRUE(check::check_mesh(out).two_manifold);
@@ -152,7 +152,7 @@ TEST(Repair, ABoxWithoutASideIsABox) {
 }
 
 // What flips and doubles break is mended before anything is asked of winding numbers.
-TEST(Repair, TurnedAndDoubledFacesLeaveNoTrace) {
+TEST(WindingOracle, TurnedAndDoubledFacesLeaveNoTrace) {
   const BuildOptions options{.relative_tolerance = 0.005};
   const Mesh intact = shapes::torus();
   const Mesh expected = extract(build_grid(intact, options));
@@ -167,7 +167,7 @@ TEST(Repair, TurnedAndDoubledFacesLeaveNoTrace) {
   EXPECT_EQ(extract(grid).positions, expected.positions);
 }
 
-TEST(Repair, HolesKeepTheRest) {
+TEST(WindingOracle, HolesKeepTheRest) {
   const Mesh intact = shapes::icosphere(5);
   const double whole = shapes::signed_volume(intact);
   for (const int holes : {1, 5, 20}) {
@@ -182,7 +182,7 @@ TEST(Repair, HolesKeepTheRest) {
 }
 
 // Cracks narrower than the tolerance are sewn, and nothing is left to repair.
-TEST(Repair, CracksLeaveNoTrace) {
+TEST(WindingOracle, CracksLeaveNoTrace) {
   const Mesh intact = shapes::torus();
   const Mesh torn = shapes::jittered(shapes::soup(intact), 0.001, 9);
   const Grid grid = build_grid(torn, {.relative_tolerance = 0.002});
@@ -197,7 +197,7 @@ TEST(Repair, CracksLeaveNoTrace) {
 }
 
 // Wider ones are not: the winding number closes the gaps.
-TEST(Repair, ATornSphereIsASphere) {
+TEST(WindingOracle, ATornSphereIsASphere) {
   const Mesh intact = shapes::icosphere(3);
   const Mesh torn = shapes::jittered(shapes::soup(intact), 0.01, 9);
   const Grid grid = build_grid(torn, {.relative_tolerance = 0.003});
@@ -207,7 +207,7 @@ TEST(Repair, ATornSphereIsASphere) {
   for (const Vec3& p : out.positions) EXPECT_NEAR(p.norm(), 1, 0.1);
 }
 
-TEST(Repair, TheRimIsMet) {
+TEST(WindingOracle, TheRimIsMet) {
   // The opening's corners are corners of the result.
   const Mesh mesh = shapes::open(shapes::cube(), 2);
   const Mesh out = extract(build_grid(mesh, {.relative_tolerance = 0.01}));
@@ -218,7 +218,7 @@ TEST(Repair, TheRimIsMet) {
   }
 }
 
-TEST(Repair, WhatEnclosesNothingIsSaidTo) {
+TEST(WindingOracle, WhatEnclosesNothingIsSaidTo) {
   Mesh sheet;
   sheet.positions = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)};
   sheet.triangles = {{0, 1, 2}};
@@ -232,7 +232,7 @@ TEST(Repair, WhatEnclosesNothingIsSaidTo) {
 }
 
 // Slivers along a line are hit by grid edges here and there.
-TEST(Repair, WhatComesToNothingIsRefused) {
+TEST(WindingOracle, WhatComesToNothingIsRefused) {
   Random random(4);
   Mesh mesh;
   for (Index i = 0; i < 100; ++i) {
@@ -250,7 +250,7 @@ TEST(Repair, WhatComesToNothingIsRefused) {
   }
 }
 
-TEST(Repair, TheThresholdIsAnOption) {
+TEST(WindingOracle, TheThresholdIsAnOption) {
   const Mesh half = shapes::open(shapes::icosphere(3), 640);
   double last = 0;
   for (const double threshold : {0.8, 0.5, 0.2}) {
@@ -275,7 +275,7 @@ Mesh tub() {
   return mesh;
 }
 
-TEST(Repair, TheThresholdKeepsWhatItCan) {
+TEST(WindingOracle, TheThresholdKeepsWhatItCan) {
   const auto is_near_floor = [](const Mesh& mesh) {
     return std::any_of(mesh.positions.begin(), mesh.positions.end(), [](const Vec3& p) {
       return std::abs(p.z()) < 0.02 && std::hypot(p.x(), p.y()) < 0.5;
@@ -293,7 +293,7 @@ TEST(Repair, TheThresholdKeepsWhatItCan) {
   EXPECT_EQ(build_grid(shapes::cube()).stats().winding_threshold, 0);
 }
 
-TEST(Repair, HolesTooWideToBeClosedAreRefused) {
+TEST(WindingOracle, HolesTooWideToBeClosedAreRefused) {
   // The unit square's diagonal.
   const Mesh box = shapes::open(shapes::cube(), 2);
   EXPECT_GT(build_grid(box, {.tolerance = 0.01, .largest_hole = 1.42}).stats().hits, 0u);
@@ -311,7 +311,7 @@ TEST(Repair, HolesTooWideToBeClosedAreRefused) {
   EXPECT_THROW(build_grid(box, {.largest_hole = -1}), Error);
 }
 
-TEST(Repair, GridsAreSavedWithWhatWasInvented) {
+TEST(WindingOracle, GridsAreSavedWithWhatWasInvented) {
   const Grid grid = build_grid(punched(shapes::icosphere(3), 3, 0.3), {.relative_tolerance = 0.01});
   const std::vector<std::uint8_t> bytes = save_grid(grid);
   const Grid loaded = load_grid(bytes);

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// Limits for surfaces that no number of splits meets.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+
+namespace kdm {
+
+/// How many splits, and how much work on winding numbers, one attempt to construct the cells may
+/// take. A surface that is to be repaired may cross itself and end everywhere; then no tolerance is
+/// met, and winding numbers take long. An attempt that goes beyond its budget is given up, and
+/// the surface is met less closely by the next one.
+class Budget {
+ public:
+  /// Makes a budget without limits.
+  Budget() = default;
+
+  /// Makes the budget for a surface to be repaired. `work` counts as InsideModel::work does, and
+  /// what it was when the attempt began does not count. The limits were found by trial: they lie
+  /// beyond what any repaired model took whose result showed more than its surface's disorder.
+  static Budget for_repair(std::size_t triangles, std::size_t work) {
+    constexpr std::size_t kSplits = 300000;
+    constexpr std::size_t kSplitsPerTriangle = 32;
+    constexpr std::size_t kWork = 40000000;
+    constexpr std::size_t kWorkPerTriangle = 64;
+    Budget budget;
+    budget.splits_left_ = kSplits + kSplitsPerTriangle * triangles;
+    budget.most_work_ = work + kWork + kWorkPerTriangle * triangles;
+    return budget;
+  }
+
+  void take_split() { --splits_left_; }
+
+  /// Returns whether a limit is reached, and from then on always. `done` is the fraction (0 to 1)
+  /// of the construction that is done at this point.
+  bool exceeded(std::size_t work, double done) {
+    if (splits_left_ > 0 && work < most_work_) return false;
+    splits_left_ = 0;
+    done_ = std::min(done_, done);
+    return true;
+  }
+
+  /// Returns whether all is done within the limits.
+  bool sufficed() const { return splits_left_ > 0; }
+  /// Returns the fraction of the construction that was done when a limit was reached; 1 if none
+  /// was.
+  double done() const { return done_; }
+
+ private:
+  std::size_t splits_left_ = std::numeric_limits<std::size_t>::max();
+  std::size_t most_work_ = std::numeric_limits<std::size_t>::max();
+  double done_ = 1;
+};
+
+}  // namespace kdm

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// Crossings: the intersections of the input's triangles with grid edges, from which hits are made.
+//
+// A crossing goes through three forms. `Crossing` is what the search along an edge finds.
+// `ClassifiedCrossing` adds what the inside model says of it; construction keeps these until all
+// cells are made. `HitWriter` then turns those that bound the solid into the grid's `Hit`s.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "geometry/predicates.h"
+#include "mesh/numbers.h"
+
+namespace kdm {
+
+/// An intersection of a triangle with a grid edge, as it was found.
+struct Crossing {
+  LinePosition position;
+  TriangleId triangle;  ///< kNone: invented where the surface has a hole
+  bool leaving;         ///< the triangle's normal points up the edge
+};
+
+/// A crossing and what the inside model says of it: 12 bytes, for construction keeps all of them.
+class ClassifiedCrossing {
+ public:
+  ClassifiedCrossing(LinePosition position, TriangleId triangle, int state_after, bool kept,
+                     bool leaving)
+      : position_(position),
+        packed_((triangle & kTriangleMask) | (kept ? kKept : 0u) | (leaving ? kLeaving : 0u)),
+        state_after_(state_after) {}
+
+  LinePosition position() const { return position_; }
+  /// Returns kNone for a crossing that was invented.
+  TriangleId triangle() const {
+    const TriangleId triangle = packed_ & kTriangleMask;
+    return triangle == kTriangleMask ? kNone : triangle;
+  }
+  /// Returns the inside model's state of the points just above the crossing.
+  int state_after() const { return state_after_; }
+  /// Returns whether the crossing bounds the solid (of a sheet: always), so that it becomes a hit.
+  bool kept() const { return (packed_ & kKept) != 0; }
+  /// Returns whether the edge, followed upwards, leaves the solid here; this may differ from the
+  /// direction of the triangle. It means something for crossings that are kept only.
+  bool leaving() const { return (packed_ & kLeaving) != 0; }
+
+ private:
+  static constexpr std::uint32_t kLeaving = 1u << 31;
+  static constexpr std::uint32_t kKept = 1u << 30;
+  static constexpr std::uint32_t kTriangleMask = kKept - 1;  // no input has as many triangles
+
+  LinePosition position_;
+  std::uint32_t packed_;  // 30 bits of triangle, then the two flags
+  int state_after_;
+};
+static_assert(sizeof(ClassifiedCrossing) == 12);
+
+/// The crossings of all splitting edges that were made so far. Those of one edge are consecutive
+/// and ascend along it.
+struct EdgeCrossings {
+  std::vector<ClassifiedCrossing> all;
+  std::vector<Index> edge_begin{0};  ///< per splitting edge its first crossing; then their number
+
+  std::span<const ClassifiedCrossing> of(EdgeId edge) const {
+    return {all.data() + edge_begin[edge], edge_begin[edge + 1] - edge_begin[edge]};
+  }
+};
+
+}  // namespace kdm

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// Inside and outside of surfaces that are not closed or not turned consistently.
+#pragma once
+
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "grid/splitting_edges.h"
+#include "inside/inside_model.h"
+#include "inside/resolve_segment.h"
+#include "inside/winding_field.h"
+
+namespace kdm {
+
+/// Tells inside (state 1) from outside (0) by the generalised winding number of the place, and
+/// makes hits that agree with it. Crossings of such a surface may contradict each other, so states
+/// are not counted. Where the surface has a hole, hits are invented.
+class WindingOracle final : public InsideModel {
+ public:
+  /// Points whose winding number is above `threshold` are inside; 0 stands for a threshold that
+  /// suits the surface (see WindingField). `tolerance` is in lattice units.
+  WindingOracle(const Surface& surface, double threshold, double tolerance);
+
+  /// Returns 1 if the grid vertex is inside, else 0. Vertices on the root cell's sides are outside.
+  /// Answers are remembered.
+  int state_at(const LatticePoint& vertex, int counted) override;
+
+  /// Classifies crossings as far as that is possible before the splits of other cells bring more
+  /// grid vertices onto the edge. Invents none.
+  void plan_edge(const GridEdge& edge, std::vector<Crossing>& found,
+                 std::vector<ClassifiedCrossing>& planned) override;
+
+  /// Writes hits that fit the states of all grid vertices.
+  void finish_edges(const EdgeCrossings& planned, HitWriter& writer) override;
+
+  std::size_t work() const override { return field_.work(); }
+  void report(GridStats& stats) const override { stats.winding_threshold = field_.threshold(); }
+
+ private:
+  struct GridVertices;
+
+  bool inside(const LatticePoint& vertex);
+  GridVertices find_vertices(const GridData& grid, const std::vector<LatticeBox>& boxes);
+  void finish_edge(const SplittingEdge& edge, const GridVertices& vertices,
+                   std::span<const ClassifiedCrossing> planned, HitWriter& writer);
+  void write_segment(const SplittingEdge& edge, const Segment& segment, HitWriter& writer);
+  Plane invented_plane(const Segment& segment, const ClassifiedCrossing& invented) const;
+
+  const Surface& surface_;
+  WindingField field_;
+  SegmentResolver resolver_;
+  std::unordered_map<std::uint64_t, bool> known_states_;  // by position; only ever looked up
+  std::vector<Crossing> crossings_;                       // of the segment at hand
+  std::vector<ClassifiedCrossing> classified_;            // of the segment at hand
+};
+
+}  // namespace kdm
