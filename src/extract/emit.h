@@ -7,9 +7,9 @@
 
 namespace kdm {
 
-/// The mesh in model units, without dropped triangles and vertices. `quads`: two triangles beside a
-/// strip become one quad. `single`: coordinates are rounded to 32 bits. `normals` are those of the
-/// half-edges' corners, or none.
+/// Returns the mesh in model units, without dropped triangles and vertices. With `quads` two
+/// triangles beside a strip become one quad, with `single` coordinates are rounded to 32 bits.
+/// `normals` are those of the corners where the half-edges start, or empty.
 Mesh emit(const GridData& grid, const DualMesh& mesh, const std::vector<Vec3>& normals, bool quads,
           bool single);
 

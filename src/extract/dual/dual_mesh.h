@@ -68,7 +68,8 @@ constexpr Index place_of_slot(Index slot, bool reversed) {
 }
 constexpr Index slot_at_place(Index place, bool reversed) { return place_of_slot(place, reversed); }
 
-/// Half-edges and links of the grid, still without vertices.
+/// Makes half-edges and links of the grid's. `vertex` holds the leaves in which half-edges start,
+/// until `find_loops` numbers the vertices.
 DualMesh dual_mesh_of(const GridData& grid);
 
 /// Drops the parts without volume that a bulge leaves which pokes through one grid edge: two
@@ -80,7 +81,7 @@ Index drop_pillows(DualMesh& mesh);
 /// every chain from boundary to boundary (2.3.2).
 void find_loops(const GridData& grid, DualMesh& mesh);
 
-/// Finds which loops are in a leaf together.
+/// Fills `next_loop_in_leaf`.
 void find_loops_of_leaves(const GridData& grid, DualMesh& mesh);
 
 }  // namespace kdm

@@ -16,7 +16,8 @@ namespace kdm {
 ///        d                 d
 Index divide_edge(Index ab, const Vec3& position, DualMesh& mesh);
 
-/// The same for an edge on the boundary, with triangle (a, b, c) alone.
+/// Divides edge a-b on the boundary and its only triangle (a, b, c). Half-edge `ab` becomes a-m.
+/// Returns m.
 Index divide_boundary(Index ab, const Vec3& position, DualMesh& mesh);
 
 /// Divides triangle (a, b, c) into (a, b, m), which keeps its number, (b, c, m) and (c, a, m).
@@ -35,8 +36,8 @@ class Division {
   void moved(Index from, Index to);
 
   DualMesh& mesh_;
-  std::vector<Index> where_;   // per half-edge of before: which it is now
-  std::vector<Index> origin_;  // per half-edge: which it was before, or kNone
+  std::vector<HalfEdgeId> where_;   // its present number, per half-edge before the first division
+  std::vector<HalfEdgeId> origin_;  // its number before the first division or kNone, per half-edge
 };
 
 }  // namespace kdm

@@ -9,17 +9,20 @@
 namespace kdm {
 namespace {
 
-// Lattice units, where there is room.
+// Hits of an edge are moved this far from each other and from grid vertices where there is room, in
+// lattice units: enough to be told apart in 32 bits.
 constexpr double kBetweenHits = 2;
 constexpr double kFromEnds = 1.0 / 3;
 
+// An interval of a grid edge, lattice coordinates.
 struct Stretch {
   double lo;
   double hi;
   bool operator==(const Stretch&) const = default;
 };
 
-// What the leaves round the hit have in common of its edge. No grid vertex lies within.
+// Returns the stretch of the hit's edge that all leaves round the hit have in common. No grid
+// vertex lies within it.
 Stretch stretch_round(const GridData& grid, std::span<const LatticeBox> boxes, Index hit,
                       int axis) {
   std::int32_t lo = 0;
@@ -39,7 +42,7 @@ Stretch stretch_round(const GridData& grid, std::span<const LatticeBox> boxes, I
   return {static_cast<double>(lo), static_cast<double>(hi)};
 }
 
-// Hits of one edge that lie close together or at a grid vertex.
+// Moves hits of one edge that lie close together or at a grid vertex.
 void keep_apart(const GridData& grid, std::span<const LatticeBox> boxes, HitRange hits, int axis,
                 std::vector<Vec3>& points) {
   const HitId begin = hits.first;

@@ -12,13 +12,16 @@
 namespace kdm {
 namespace {
 
-// A flip must be worth it.
-constexpr double kGain = 0.1;
-// By how much a flip must widen that of two triangles.
-constexpr double kWider = 2;
-// Cosine: triangles of a flip for that sake lie so near to their planes, or as near as before.
-constexpr double kAligned = 0.9;
-constexpr int kMaxFlips = 4;  // of one triangle
+// A flip of a folded triangle must raise the cosine between the worse of the two triangles and its
+// plane by this.
+constexpr double kMinAlignmentGain = 0.1;
+// A flip of a thin triangle must make the smallest angle of the two this many times as wide.
+constexpr double kMinWidening = 2;
+// After a flip of a thin triangle the cosine between each of the two and its plane is above this,
+// or above the better one of before.
+constexpr double kMinAlignment = 0.9;
+// No triangle takes part in more flips than this, so that the flips end.
+constexpr int kMaxFlips = 4;
 
 class Unfolding {
  public:
@@ -84,7 +87,8 @@ class Unfolding {
     Index a, b, c, d, hit, other;
   };
 
-  // Flips the edge of t that leaves the better pair of triangles; false if none does.
+  // Flips the edge of t that leaves the best pair of triangles; returns false if no flip is worth
+  // it.
   bool flip_best(Index t, Flip (Unfolding::*judge)(Index, const Pair&) const) {
     Flip best;
     for (Index h = 3 * t; h < 3 * t + 3; ++h) {
@@ -132,21 +136,22 @@ class Unfolding {
     Flip best;
     for (const auto& hits : {std::array{hit, other}, std::array{other, hit}}) {
       const double then = std::min(alignment(a, d, c, hits[0]), alignment(d, b, c, hits[1]));
-      if (then < now + kGain || (best.half_edge != kNone && then <= best.quality)) continue;
+      if (then < now + kMinAlignmentGain || (best.half_edge != kNone && then <= best.quality))
+        continue;
       if (keeps_creases(pair, hits)) best = {ab, then, hits};
     }
     return best;
   }
 
-  // The same, if their smallest angle is wider then. What was a thin triangle's area may lie in the
-  // other's plane, and becomes that hit's.
+  // The flip of a-b to c-d, if the smallest angle of the two triangles is wider then. Both may
+  // become triangles of one hit, if what the thin one covered lies in the plane of that hit.
   Flip wider(Index ab, const Pair& pair) const {
     const auto& [a, b, c, d, hit, other] = pair;
     const double now = std::min(least_sine(a, b, c), least_sine(b, a, d));
     const double then = std::min(least_sine(a, d, c), least_sine(d, b, c));
-    if (!(then > kWider * now)) return {};
+    if (!(then > kMinWidening * now)) return {};
     double aligned =
-        std::min(kAligned, std::max(alignment(a, b, c, hit), alignment(b, a, d, other)));
+        std::min(kMinAlignment, std::max(alignment(a, b, c, hit), alignment(b, a, d, other)));
     Flip best;
     for (const auto& hits : {std::array{hit, other}, std::array{other, hit}, std::array{hit, hit},
                              std::array{other, other}}) {
@@ -158,7 +163,8 @@ class Unfolding {
     return best;
   }
 
-  // Would the triangles (a, d, c) and (d, b, c) cut none off?
+  // Tells whether the triangles (a, d, c) and (d, b, c) of these hits cut no crease off: whether
+  // their corners lie within the tolerance of the hits' planes, or as near as c and d did.
   bool keeps_creases(const Pair& pair, const std::array<Index, 2>& hits) const {
     const auto& [a, b, c, d, hit, other] = pair;
     const double allowed = std::max({view_.grid.tolerance, off_plane(c, hit), off_plane(d, other)});
@@ -171,7 +177,8 @@ class Unfolding {
     return view_.grid.plane_of(hit).distance(mesh_.position[v]);
   }
 
-  // A vertex loses an edge by a flip and must keep three, or two on the boundary.
+  // Tells whether the vertex has less than four edges: it loses one by a flip and must keep three,
+  // or two on the boundary.
   bool shorter_than_four(Index v) const {
     if (mesh_.on_boundary(v)) return false;
     int edges = 0;

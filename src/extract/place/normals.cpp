@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/marks.h"
+
 namespace kdm {
 namespace {
 
@@ -26,11 +28,11 @@ class CornerNormals {
         mesh_(mesh),
         limit_(crease_cosine - kSlack),
         normals_(mesh.opposite.size(), Vec3::Zero()),
-        done_(mesh.opposite.size(), 0) {}
+        done_(mesh.opposite.size()) {}
 
   std::vector<Vec3> run() {
     for (Index h = 0; h < mesh_.opposite.size(); ++h) {
-      if (done_[h] != 0 || mesh_.dropped(h / 3)) continue;
+      if (done_.test(h) || mesh_.dropped(h / 3)) continue;
       collect_fan(h);
       divide_fan();
     }
@@ -50,7 +52,7 @@ class CornerNormals {
     chain_ = mesh_.on_boundary(v);
     for (const HalfEdgeId h : mesh_.ring_from(chain_ ? mesh_.first_half_edge[v] : any)) {
       fan_.push_back(h);
-      done_[h] = 1;
+      done_.set(h);
     }
   }
 
@@ -93,7 +95,7 @@ class CornerNormals {
   const DualMesh& mesh_;
   double limit_;
   std::vector<Vec3> normals_;
-  std::vector<char> done_;
+  Marks done_;  // per half-edge
   std::vector<Index> fan_;
   bool chain_ = false;  // the fan ends at the boundary on both sides
 };

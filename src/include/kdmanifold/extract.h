@@ -71,8 +71,9 @@ struct ExtractReport {
   Index link_vertices = 0;      ///< vertices added between leaves and at hits
   Index flipped_edges = 0;      ///< of triangles that were folded over or thin
   Index refined_hits = 0;       ///< `kEmbedded`: hits that got vertices so that nothing crosses
-  /// `kEmbedded`: pairs of triangles that still cross or touch. 0 unless parts nearer to each other
-  /// than 32 bits tell apart are in each other's way, or sheets cross. Else nobody has looked.
+  /// With `kEmbedded` the number of pairs of triangles that still cross or touch: 0, unless parts
+  /// are nearer to each other than 32 bits tell apart, or sheets cross. Otherwise empty, because
+  /// crossing pairs are not searched for.
   std::optional<std::uint64_t> crossings;
   Index dropped_parts = 0;   ///< left out as `parts` asks
   Index dropped_crumbs = 0;  ///< slivers beside closed holes that were left out
