@@ -10,7 +10,8 @@
 #include <string>
 
 #include "cli/options.h"
-#include "cli/report.h"
+#include "cli/report_json.h"
+#include "cli/report_text.h"
 
 namespace kdm::cli {
 namespace {

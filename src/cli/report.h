@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: MIT
-// The account of one run: as JSON, with the keys that the Node command line uses too, or as text.
+// The account of one run, and what both of its forms, JSON and text, need.
 #pragma once
 
 #include <cstdint>
-#include <string>
 
-#include "cli/options.h"
+#include "cli/command.h"
 #include "kdmanifold/kdmanifold.h"
 
 namespace kdm::cli {
 
+/// Wall-clock seconds of the steps.
 struct Seconds {
   double read = 0, analyze = 0, build = 0, extract = 0, write = 0;
 };
 
+/// What is known at the end of a run.
 struct RunReport {
   MeshDefects defects;  ///< of the input; with --stats only
   InputReport input;    ///< this and what follows: unless --stats is all that is asked for
@@ -25,14 +26,28 @@ struct RunReport {
   std::uint64_t peak_bytes = 0;  ///< most memory the process held; 0: unknown
 };
 
-/// What --check asks: closed and 2-manifold; of a sheet, a manifold that may have a boundary.
-bool passes_check(const MeshReport& output, bool sheet);
+/// What the parts of a mesh have together.
+struct PartSums {
+  std::uint64_t open = 0;        ///< parts that are not closed
+  std::uint64_t inside_out = 0;  ///< parts
+  std::uint64_t cavities = 0;    ///< parts
+  std::uint64_t genus = 0;       ///< handles, of the parts whose genus is known
+  double area = 0;
+  double volume = 0;  ///< of closed parts; cavities count as negative
+};
 
-/// `input`, with --stats `defects`, then `grid`, `output` (with --check also its
-/// `selfIntersections`), with --check `check`, then `seconds` and `peakBytes`; indented, with a
-/// line end. With --stats alone there is neither `grid` nor `output`.
-std::string report_as_json(const RunReport& report, const Command& command);
-/// A few lines for people.
-std::string report_as_text(const RunReport& report, const Command& command);
+/// Adds the parts up.
+PartSums sum_parts(const MeshDefects& defects);
+
+/// Says whether the output is what --check asks for: closed and 2-manifold; of a sheet, a manifold
+/// that may have a boundary.
+inline bool passes_check(const MeshReport& output, bool sheet) {
+  return sheet ? output.manifold : output.two_manifold;
+}
+
+/// Says whether a file is to be written.
+inline bool writes(const Command& command) {
+  return !command.output.empty() || !command.save_grid.empty();
+}
 
 }  // namespace kdm::cli

@@ -2,12 +2,12 @@
 // Mesh -> grid: prepare, construct, link.
 #include <fmt/format.h>
 
-#include <cmath>
 #include <new>
 
 #include "construct/construct.h"
 #include "kdmanifold/build.h"
 #include "kdmanifold/error.h"
+#include "kdmanifold/options.h"
 #include "kdmanifold/thicken.h"
 #include "link/corners.h"
 #include "link/link.h"
@@ -18,29 +18,6 @@ namespace kdm {
 namespace {
 
 constexpr double kUsualTolerance = BuildOptions().relative_tolerance;
-
-void check_options(const BuildOptions& options) {
-  if (options.depth < 0 || options.depth > kMaxDepth) {
-    throw Error(ErrorCode::kInvalidOption,
-                fmt::format("depth is {}; it must be from 1 to {}, or 0 for the strategy's own",
-                            options.depth, kMaxDepth));
-  }
-  const auto check = [](const char* name, double value) {
-    if (!(value >= 0 && std::isfinite(value))) {
-      throw Error(ErrorCode::kInvalidOption,
-                  fmt::format("{} is {}; it must be a number that is not negative", name, value));
-    }
-  };
-  check("tolerance", options.tolerance);
-  check("relative_tolerance", options.relative_tolerance);
-  check("thicken", options.thicken);
-  check("largest_hole", options.largest_hole);
-  if (!(options.winding_threshold >= 0 && options.winding_threshold < 1)) {
-    throw Error(ErrorCode::kInvalidOption,
-                fmt::format("winding_threshold is {}; it must be at least 0 and below 1",
-                            options.winding_threshold));
-  }
-}
 
 // A shell whose sides round to the same places has no inside.
 void check_thickness(double thickness, double step) {

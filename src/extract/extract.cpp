@@ -2,8 +2,6 @@
 // Grid -> mesh: loops, vertices, strictness, faces.
 #include "kdmanifold/extract.h"
 
-#include <fmt/format.h>
-
 #include <new>
 
 #include "extract/dual/edit_log.h"
@@ -18,6 +16,7 @@
 #include "extract/place/normals.h"
 #include "extract/place/place.h"
 #include "kdmanifold/error.h"
+#include "kdmanifold/options.h"
 #include "mesh/boundary_loops.h"
 #include "mesh/progress.h"
 
@@ -29,32 +28,12 @@ namespace {
 constexpr double kFeature = 0.3;
 
 SplitError split_error(const GridData& grid, const ExtractOptions& options) {
-  if (!(options.split_error >= 0)) {
-    throw Error(ErrorCode::kInvalidOption,
-                fmt::format("split_error is {}; it must be a number that is not negative",
-                            options.split_error));
-  }
   if (options.split_error > 0) return SplitError{options.split_error / grid.lattice.step, 0};
   if (options.quads) return {};
   return SplitError{grid.tolerance, kFeature};
 }
 
-// Cosine of the crease angle.
-double crease_cosine(const ExtractOptions& options) {
-  if (!(options.crease_angle >= 0 && options.crease_angle <= 180)) {
-    throw Error(
-        ErrorCode::kInvalidOption,
-        fmt::format("crease_angle is {}; it must be from 0 to 180 degrees", options.crease_angle));
-  }
-  return cosine_of_degrees(options.crease_angle);
-}
-
 double link_error(const GridData& grid, const ExtractOptions& options) {
-  if (!(options.link_error >= 0)) {
-    throw Error(ErrorCode::kInvalidOption,
-                fmt::format("link_error is {}; it must be a number that is not negative",
-                            options.link_error));
-  }
   return options.link_error > 0 ? options.link_error / grid.lattice.step : grid.tolerance;
 }
 
@@ -124,8 +103,9 @@ void leave_parts_out(const GridData& grid, Parts wanted, ExtractedMesh& out) {
 
 ExtractedMesh extract(const Grid& handle, const ExtractOptions& options,
                       const Progress& progress) try {
+  check_options(options);
   const GridData& grid = handle.data();
-  const double crease = crease_cosine(options);
+  const double crease = cosine_of_degrees(options.crease_angle);
   ExtractedMesh out;
   const DualMesh mesh = surface_of(grid, options, progress, out.report);
   if (mesh.open) {

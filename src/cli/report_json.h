@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// The account of one run as JSON, with the keys that the Node command line uses too.
+#pragma once
+
+#include <string>
+
+#include "cli/report.h"
+#include "cli/report_fields.h"
+
+namespace kdm::cli {
+
+/// Writes `input`, with --stats `defects`, then `grid`, `output` (with --check also its
+/// `selfIntersections`), with --check `check`, then `seconds` and `peakBytes`; indented, with a
+/// line end. With --stats alone there is neither `grid` nor `output`.
+std::string report_as_json(const RunReport& report, const Command& command);
+
+/// Returns what `output` holds: the counts of the result, and the account of how it was made.
+Json output_json(const MeshReport& output, const ExtractReport& extracted);
+
+/// Returns what `check` holds: whether the result is a manifold, and the counts that say why not.
+Json check_json(const MeshReport& output);
+
+/// Returns what `defects` holds: the lists' lengths, and sums over the parts.
+Json defects_json(const MeshDefects& defects);
+
+}  // namespace kdm::cli

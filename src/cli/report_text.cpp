@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+// Writes the report as text.
+#include "cli/report_text.h"
+
+#include <fmt/format.h>
+
+namespace kdm::cli {
+namespace {
+
+std::string faces_text(std::uint64_t triangles, std::uint64_t quads) {
+  return quads == 0 ? fmt::format("{} triangles", triangles)
+                    : fmt::format("{} triangles and {} quads", triangles, quads);
+}
+
+std::string topology_text(const GridStats& grid) {
+  if (grid.topology_resolved) return ", topology resolved";
+  if (grid.unresolved_leaves == 0) return "";  // the other strategies do not look
+  return fmt::format(", topology given up in {} leaves", grid.unresolved_leaves);
+}
+
+std::string kind_text(const MeshReport& output, const ExtractReport& extracted, bool sheet) {
+  if (output.two_manifold) return "closed 2-manifold";
+  if (!sheet || !output.manifold) return "not 2-manifold";
+  return fmt::format("manifold with {} boundary loops", extracted.boundary_loops);
+}
+
+std::string check_text(const MeshReport& output, std::uint64_t self_intersections, bool sheet) {
+  if (passes_check(output, sheet)) {
+    return fmt::format("check    passed: 2-manifold{}; {} pairs of triangles cross\n",
+                       output.two_manifold ? "" : " with boundary",
+                       self_intersections == 0 ? "no" : std::to_string(self_intersections));
+  }
+  return fmt::format(
+      "check    FAILED: {} boundary, {} non-manifold, {} misoriented edges, {} non-manifold "
+      "vertices, {} degenerate, {} duplicate faces\n",
+      output.boundary_edges, output.non_manifold_edges, output.misoriented_edges,
+      output.non_manifold_vertices, output.degenerate_faces, output.duplicate_faces);
+}
+
+std::string defects_text(const MeshDefects& defects) {
+  const PartSums sums = sum_parts(defects);
+  std::string text;
+  const auto add = [&](std::uint64_t count, const char* what) {
+    if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, what);
+  };
+  add(defects.boundary_edges.size(), "open edges");
+  add(defects.boundary_loops.size(), "boundary loops");
+  add(defects.non_manifold_edges.size(), "edges with three or more faces");
+  add(defects.misoriented_edges.size(), "edges whose faces disagree");
+  add(defects.non_manifold_vertices.size(), "vertices that are not manifold");
+  add(defects.degenerate_faces.size(), "faces with a repeated vertex");
+  add(defects.zero_area_faces.size(), "faces without area");
+  add(defects.duplicate_faces.size(), "doubled faces");
+  add(defects.flipped_faces.size(), "faces turned the wrong way");
+  add(defects.self_intersections, "pairs of triangles cross");
+  add(sums.inside_out, "parts inside out");
+  const char* nesting = defects.nesting_known ? "" : " (too many overlap to look for them)";
+  return fmt::format("defects  {}\nparts    {} open, {} closed, {} of these cavities{}, genus {}\n",
+                     text.empty() ? "none" : text, sums.open, defects.parts.size() - sums.open,
+                     sums.cavities, nesting, sums.genus);
+}
+
+std::string seconds_text(const RunReport& report, const Command& command) {
+  std::string text = fmt::format("seconds  read {:.3f}", report.seconds.read);
+  if (command.stats) text += fmt::format(", analyze {:.3f}", report.seconds.analyze);
+  if (converts(command)) {
+    text +=
+        fmt::format(", build {:.3f}, extract {:.3f}", report.seconds.build, report.seconds.extract);
+  }
+  if (writes(command)) text += fmt::format(", write {:.3f}", report.seconds.write);
+  return text + '\n';
+}
+
+std::string input_text(const RunReport& report, const Command& command) {
+  const auto text = [&](std::size_t vertices, std::size_t triangles, std::size_t parts) {
+    return fmt::format("input    {}: {} vertices, {} triangles, {} parts", command.input, vertices,
+                       triangles, parts);
+  };
+  if (!converts(command)) {
+    const MeshDefects& input = report.defects;
+    return text(input.report.vertices, input.report.triangles, input.parts.size()) + '\n';
+  }
+  const InputReport& input = report.input;
+  std::string lines = text(input.vertices, input.triangles, input.components);
+  lines += input.flipped ? ", turned inside out\n" : "\n";
+  if (input.degenerate_faces + input.cancelled_faces > 0) {
+    lines += fmt::format("         {} faces without area and {} back to back take no part\n",
+                         input.degenerate_faces, input.cancelled_faces);
+  }
+  return lines;
+}
+
+// What had to be done to surfaces that are not closed and consistently oriented.
+std::string repair_text(const RunReport& report) {
+  const InputReport& input = report.input;
+  if (input.sewn_edges + input.turned_faces + input.duplicate_faces + report.grid.invented_hits ==
+      0) {
+    return "";
+  }
+  const double area = report.output.area;
+  return fmt::format(
+      "repair   {} pairs of edges sewn, {} faces turned, {} doubled ones left out; {:.1f} % of the "
+      "area closes holes, {} crumbs dropped\n         winding numbers above {} are inside\n",
+      input.sewn_edges, input.turned_faces, input.duplicate_faces,
+      area > 0 ? 100 * report.extracted.invented_area / area : 0, report.extracted.dropped_crumbs,
+      report.grid.winding_threshold);
+}
+
+std::string result_text(const RunReport& report, const Command& command) {
+  const GridStats& grid = report.grid;
+  const MeshReport& output = report.output;
+  std::string text = fmt::format(
+      "grid     {}, depth {}: {} cells, {} hits, {:.1f} MB{}\n",
+      names_a_grid(command.input) ? "loaded" : word_of(command.build.strategy), grid.depth,
+      grid.cells, grid.hits, static_cast<double>(grid.bytes) / 1e6, topology_text(grid));
+  text += fmt::format("output   {}{}{} vertices, {}, {} parts, Euler characteristic {}, {}\n",
+                      command.output, command.output.empty() ? "" : ": ", output.vertices,
+                      faces_text(output.triangles, output.quads), output.components,
+                      output.euler_characteristic, kind_text(output, report.extracted, grid.sheet));
+  text += repair_text(report);
+  if (command.check) text += check_text(output, report.self_intersections, grid.sheet);
+  return text;
+}
+
+}  // namespace
+
+std::string report_as_text(const RunReport& report, const Command& command) {
+  std::string text = input_text(report, command);
+  if (command.stats) text += defects_text(report.defects);
+  if (converts(command)) text += result_text(report, command);
+  return text + seconds_text(report, command);
+}
+
+}  // namespace kdm::cli

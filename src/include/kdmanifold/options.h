@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: MIT
+// The one table of all options: names, legal values, meaning. The checks of the library, both
+// command lines with their help, the JavaScript package with its types, and the table in README.md
+// are made from it. A new option is a member of its struct with a default, and an entry here.
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+#include "kdmanifold/analyze.h"
+#include "kdmanifold/build.h"
+#include "kdmanifold/extract.h"
+#include "kdmanifold/field.h"
+#include "kdmanifold/mesh_io.h"
+
+namespace kdm {
+
+inline constexpr std::array kStrategyWords = {
+    Word{"adaptive", SplitStrategy::kAdaptive,
+         "until the surface is met within the tolerance and its topology is resolved"},
+    Word{"octree", SplitStrategy::kOctree, "the same, but at midpoints, x, y, z in turn"},
+    Word{"feature", SplitStrategy::kFeature,
+         "the same, but through or near features of the cell (paper 5.1.2 (2))"},
+    Word{"median", SplitStrategy::kMedian,
+         "median of triangle centres, until every triangle is hit by a grid edge (paper 5.1.2 "
+         "(1))"},
+    Word{"uniform", SplitStrategy::kUniform,
+         "midpoints in turn, to the full depth wherever a cell meets the surface"}};
+
+inline constexpr std::array kInsideWords = {
+    Word{"repair", InsideRule::kRepair,
+         "`positive` if the surface is closed and consistently oriented; any other becomes a solid "
+         "by its generalised winding number: holes are closed, faces turned back"},
+    Word{"positive", InsideRule::kPositive,
+         "above 0, the union of overlapping and nested shells; closed input only"},
+    Word{"odd", InsideRule::kOdd, "odd numbers; closed input only"},
+    Word{"nonzero", InsideRule::kNonzero, "all but 0; closed input only"},
+    Word{"sheet", InsideRule::kSheet,
+         "there is no inside: all of the surface is kept, as it is turned, and open surfaces stay "
+         "open; the result is a manifold with boundary. Any mesh will do; it comes apart where "
+         "neighbours are turned against each other"}};
+
+inline constexpr std::array kPairingWords = {
+    Word{"trace", Pairing::kTrace, "as the input's surface crosses the face"},
+    Word{"hermite", Pairing::kHermite, "by the least deviation from the hits' tangents"},
+    Word{"inside", Pairing::kInside,
+         "the two hits at the ends of an inside stretch of the outline (paper 2.1)"},
+    Word{"outside", Pairing::kOutside,
+         "the two hits at the ends of an outside stretch of the outline (paper 2.1)"}};
+
+inline constexpr std::array kPositionWords = {
+    Word{"constrained", VertexPosition::kConstrained, "to the best place within the cell"},
+    Word{"projection", VertexPosition::kProjection,
+         "to the point of the cell that is nearest to the best place"}};
+
+inline constexpr std::array kPartsWords = {
+    Word{"all", Parts::kAll,
+         "all but crumbs, slivers thinner than the tolerance beside holes that were closed"},
+    Word{"outer", Parts::kOuter,
+         "only those that lie in no other: no cavities, and nothing within cavities"},
+    Word{"largest", Parts::kLargest, "only the one that encloses most, without its cavities"}};
+
+inline constexpr std::array kStrictWords = {
+    Word{"off", Strict::kOff,
+         "the raw dual surface, whose half-edges are manifold but not its vertex numbers"},
+    Word{"manifold", Strict::kManifold,
+         "2-manifold: vertices are added where two parts of the surface would share an edge, parts "
+         "without volume are dropped"},
+    Word{"embedded", Strict::kEmbedded,
+         "the same, and no two triangles cross or touch but where they share vertices, none is "
+         "without area; holds for the 32-bit coordinates. Not with `quads`"}};
+
+inline constexpr std::array kFormatWords = {
+    Word{"obj", MeshFormat::kObj, "Wavefront OBJ"}, Word{"stl", MeshFormat::kStl, "STL"},
+    Word{"ply", MeshFormat::kPly, "PLY"}, Word{"off", MeshFormat::kOff, "OFF"}};
+
+/// Returns the words of a choice, the default first or in the order in which they are best read.
+template <typename Choice>
+constexpr std::span<const Word<Choice>> words_of() {
+  if constexpr (std::is_same_v<Choice, SplitStrategy>)
+    return kStrategyWords;
+  else if constexpr (std::is_same_v<Choice, InsideRule>)
+    return kInsideWords;
+  else if constexpr (std::is_same_v<Choice, Pairing>)
+    return kPairingWords;
+  else if constexpr (std::is_same_v<Choice, VertexPosition>)
+    return kPositionWords;
+  else if constexpr (std::is_same_v<Choice, Parts>)
+    return kPartsWords;
+  else if constexpr (std::is_same_v<Choice, Strict>)
+    return kStrictWords;
+  else
+    return kFormatWords;
+}
+
+/// Returns the word for a value; null if the number behind it is that of no word.
+template <typename Choice>
+constexpr const char* word_of(Choice value) {
+  for (const Word<Choice>& word : words_of<Choice>()) {
+    if (word.value == value) return word.word;
+  }
+  return nullptr;
+}
+
+/// Returns what a word stands for; nothing if it is none of the choice's.
+template <typename Choice>
+constexpr std::optional<Choice> value_of(std::string_view text) {
+  for (const Word<Choice>& word : words_of<Choice>()) {
+    if (text == word.word) return word.value;
+  }
+  return std::nullopt;
+}
+
+/// Writes the words of a choice with the separator between them.
+template <typename Choice>
+std::string joined_words(std::string_view separator) {
+  std::string text;
+  for (const Word<Choice>& word : words_of<Choice>()) {
+    if (!text.empty()) text += separator;
+    text += word.word;
+  }
+  return text;
+}
+
+/// The struct itself, const or not.
+template <typename T, typename Struct>
+concept Either = std::same_as<std::remove_const_t<T>, Struct>;
+
+/// Calls `visit(const OptionField&, member)` for every option, in the order in which help lists
+/// them; members are const if the struct is.
+template <Either<BuildOptions> Options, typename Visit>
+void for_each_field(Options& options, Visit&& visit) {
+  visit(OptionField{.name = "strategy", .help = "how cells are split"}, options.strategy);
+  visit(OptionField{.name = "tolerance",
+                    .letter = "T",
+                    .help = "how far the result may be from the input",
+                    .zero = "the relative tolerance counts instead",
+                    .details = "Of `adaptive`, `octree` and `feature`.",
+                    .unit = Unit::kModelUnits},
+        options.tolerance);
+  visit(OptionField{.name = "relative_tolerance",
+                    .letter = "R",
+                    .help = "the same, relative to the model's size",
+                    .zero = "all that is not flat is split down to the depth limit",
+                    .unit = Unit::kDiagonals},
+        options.relative_tolerance);
+  visit(OptionField{.name = "depth",
+                    .letter = "N",
+                    .help = "limit of the tree's depth",
+                    .details = "Three levels halve a cell in each axis.",
+                    .range = {.least = 1, .most = 60},
+                    .unset = "60, or 18 for uniform, 64 cells an axis"},
+        options.depth);
+  visit(OptionField{.name = "inside", .help = "which winding numbers are inside"}, options.inside);
+  visit(OptionField{.name = "winding_threshold",
+                    .letter = "W",
+                    .help = "`repair`: winding numbers above this are inside",
+                    .zero = "what keeps most of the input's area, at most 0.5",
+                    .details = "Lower values close wider gaps, and let what bulges over the gaps "
+                               "bulge further.",
+                    .range = {.most = 1, .most_excluded = true}},
+        options.winding_threshold);
+  visit(OptionField{.name = "largest_hole",
+                    .letter = "D",
+                    .help = "`repair`: holes wider than this are refused",
+                    .zero = "all are closed",
+                    .details = "The width of a hole is the diagonal of its bounding box. The error "
+                               "is `NOT_CLOSED`.",
+                    .unit = Unit::kModelUnits},
+        options.largest_hole);
+  visit(OptionField{.name = "pairing",
+                    .help = "how hits are linked where a face of the grid has more than two"},
+        options.pairing);
+  visit(OptionField{.name = "thicken",
+                    .letter = "T",
+                    .help = "build a shell of this thickness around the surface, which may be open",
+                    .zero = "the input itself is built",
+                    .details = "The report's `input` is that of the shell.",
+                    .unit = Unit::kModelUnits},
+        options.thicken);
+}
+
+/// See `for_each_field` of `BuildOptions`.
+template <Either<ExtractOptions> Options, typename Visit>
+void for_each_field(Options& options, Visit&& visit) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  visit(OptionField{.name = "split_error",
+                    .letter = "E",
+                    .help = "split vertices that lie further than this from a plane they stand for",
+                    .zero = "where a cell has two features",
+                    .details = "A cell can then hold several features (paper 2.3.1). More than "
+                               "the model's size: never. 0 splits where vertices are further off "
+                               "than the grid's tolerance and 0.3 times the way to the furthest of "
+                               "their hits, but never with `quads`.",
+                    .unit = Unit::kModelUnits,
+                    .range = {.most = kInfinity}},
+        options.split_error);
+  visit(OptionField{.name = "position",
+                    .help = "where vertices go whose best place lies outside of their cell",
+                    .details = "The best place is where the sum of squared distances to the planes "
+                               "of the hits is least (paper 2.2.1)."},
+        options.position);
+  visit(OptionField{.name = "quads",
+                    .help = "make quads where four cells meet",
+                    .details = "The two triangles of such an edge are joined: everywhere on a "
+                               "uniform grid. Quads need not be planar."},
+        options.quads);
+  visit(OptionField{.name = "unfold",
+                    .help = "flip edges of triangles that are folded over or thin",
+                    .details = "Folded over their neighbours, where that lays them flat; thin with "
+                               "an angle below two degrees, where that makes their smallest angle "
+                               "twice as wide. Takes away most self-intersections and most thin "
+                               "triangles. Not with `quads`."},
+        options.unfold);
+  visit(OptionField{.name = "link_error",
+                    .letter = "E",
+                    .help = "put vertices where edges pass between cells further than this from "
+                            "the surface",
+                    .zero = "the grid's tolerance",
+                    .details = "More than the model's size: never. Not with `quads`.",
+                    .unit = Unit::kModelUnits,
+                    .range = {.most = kInfinity}},
+        options.link_error);
+  visit(OptionField{.name = "parts",
+                    .help = "which parts of the result are kept",
+                    .details = "Sheets keep all."},
+        options.parts);
+  visit(OptionField{.name = "strict", .help = "what the result must be as an index mesh"},
+        options.strict);
+  visit(OptionField{.name = "normals",
+                    .help = "give the corners of faces normals for shading (of the files, OBJ has "
+                            "them)",
+                    .details = "Unit normals, from the input's normals at the hits. Vertices on a "
+                               "crease are not doubled."},
+        options.normals);
+  visit(OptionField{.name = "crease_angle",
+                    .letter = "A",
+                    .help = "`normals`: they differ where faces turn by more than this",
+                    .details = "At 0 they differ at all edges but in flat parts, at 180 "
+                               "nowhere.",
+                    .unit = Unit::kDegrees,
+                    .range = {.most = 180}},
+        options.crease_angle);
+}
+
+/// See `for_each_field` of `BuildOptions`. Command lines, whose --stats looks for everything, do
+/// not have these.
+template <Either<AnalyzeOptions> Options, typename Visit>
+void for_each_field(Options& options, Visit&& visit) {
+  visit(OptionField{.name = "self_intersections",
+                    .help = "look for self-intersections too",
+                    .details = "Takes several times as long as all the rest, and far longer where "
+                               "many faces overlap that are no copies of each other."},
+        options.self_intersections);
+}
+
+/// Throws `kInvalidOption` for the first option that is outside of its range, is no number or has a
+/// value without a word; the message names the option, its value and what is legal.
+void check_options(const BuildOptions& options);
+/// See above.
+void check_options(const ExtractOptions& options);
+
+}  // namespace kdm

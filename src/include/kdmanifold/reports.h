@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: MIT
+// The one table of what reports hold: names, units, meaning. The JSON of the command lines and the
+// JavaScript package with its types are made from it. A new value is a member of its struct, and an
+// entry here.
+#pragma once
+
+#include "kdmanifold/analyze.h"
+#include "kdmanifold/extract.h"
+#include "kdmanifold/field.h"
+#include "kdmanifold/grid.h"
+#include "kdmanifold/mesh.h"
+
+namespace kdm {
+
+/// A number that may be missing (kNone), as `for_each_field` hands it out: null in JavaScript.
+struct OrNone {
+  Index number;
+};
+
+/// Calls `visit(const ReportField&, const member&)` for every value, in the order in which reports
+/// list them.
+template <typename Visit>
+void for_each_field(const InputReport& report, Visit&& visit) {
+  visit(ReportField{"vertices", "After joining vertices of exactly equal position"},
+        report.vertices);
+  visit(ReportField{"triangles", "Triangles of the input"}, report.triangles);
+  visit(ReportField{"closed", "Every edge is used equally often in both directions"},
+        report.closed);
+  visit(ReportField{"boundary_edges", "Edges with one face"}, report.boundary_edges);
+  visit(ReportField{"boundary_loops",
+                    "Closed rounds of the edges at which the surface ends: those with one face, "
+                    "and faces without a neighbour that runs against them along the edge. "
+                    "`repair`: once the surface is sewn and turned"},
+        report.boundary_loops);
+  visit(ReportField{"non_manifold_edges", "Edges with three or more faces"},
+        report.non_manifold_edges);
+  visit(ReportField{"degenerate_faces",
+                    "Faces without area once positions are rounded; they take no part"},
+        report.degenerate_faces);
+  visit(ReportField{"cancelled_faces", "Faces that lie back to back in pairs; they take no part"},
+        report.cancelled_faces);
+  visit(ReportField{"duplicate_faces",
+                    "`repair`: further faces over the same corners; they take no part"},
+        report.duplicate_faces);
+  visit(ReportField{"sewn_edges",
+                    "`repair`: pairs of boundary edges, no further apart than the tolerance, that "
+                    "were joined"},
+        report.sewn_edges);
+  visit(ReportField{"turned_faces",
+                    "`repair`: faces that were turned to agree with their neighbours and look "
+                    "outwards"},
+        report.turned_faces);
+  visit(ReportField{"components", "Parts joined by edges"}, report.components);
+  visit(ReportField{"flipped", "The input was inside out and has been turned"}, report.flipped);
+  visit(ReportField{"lattice_step", "The step to which positions were rounded for decisions",
+                    Unit::kModelUnits},
+        report.lattice_step);
+}
+
+/// See `for_each_field` of `InputReport`.
+template <typename Visit>
+void for_each_field(const GridStats& stats, Visit&& visit) {
+  visit(ReportField{"cells", "Nodes of the kd-tree"}, stats.cells);
+  visit(ReportField{"leaves", "Cells that are not split"}, stats.leaves);
+  visit(ReportField{"hits", "Intersections of the surface with grid edges"}, stats.hits);
+  visit(ReportField{"depth", "Depth of the deepest leaf"}, stats.depth);
+  visit(ReportField{"sheet", "The grid was built as a `sheet`: results may have a boundary"},
+        stats.sheet);
+  visit(ReportField{"bytes", "Memory that the grid holds", Unit::kBytes}, stats.bytes);
+  visit(ReportField{"tolerance",
+                    "The tolerance that was asked for, or a wider one where a surface to be "
+                    "repaired would have taken beyond all measure. For strategies without a "
+                    "tolerance: the one that extraction goes by",
+                    Unit::kModelUnits},
+        stats.tolerance);
+  visit(ReportField{"winding_threshold",
+                    "`repair`: winding numbers above this are inside; 0 where the surface is "
+                    "closed and none had to be asked for"},
+        stats.winding_threshold);
+  visit(ReportField{"topology_resolved",
+                    "`adaptive`, `octree`, `feature`: no leaf was given up and no face was "
+                    "guessed; the result of an embedded input then has its topology. The other "
+                    "strategies do not look: false"},
+        stats.topology_resolved);
+  visit(ReportField{"unresolved_leaves",
+                    "Leaves given up at the depth limit or below the least size of a cell"},
+        stats.unresolved_leaves);
+  visit(ReportField{"ambiguous_faces", "Faces between leaves with more than two hits"},
+        stats.ambiguous_faces);
+  visit(ReportField{"guessed_faces", "Ambiguous faces that a trace of the input could not decide"},
+        stats.guessed_faces);
+  visit(ReportField{"invented_hits", "Hits of no input face, where holes were closed"},
+        stats.invented_hits);
+}
+
+/// See `for_each_field` of `InputReport`.
+template <typename Visit>
+void for_each_field(const ExtractReport& report, Visit&& visit) {
+  visit(ReportField{"boundary_loops", "Closed walks along the boundary; only sheets have one"},
+        report.boundary_loops);
+  visit(ReportField{"dropped_pillows", "Parts without volume that were left out"},
+        report.dropped_pillows);
+  visit(ReportField{"inserted_vertices", "Vertices added to keep edges apart"},
+        report.inserted_vertices);
+  visit(ReportField{"split_vertices", "Vertices added for further features of a cell"},
+        report.split_vertices);
+  visit(ReportField{"link_vertices", "Vertices added between cells and at hits"},
+        report.link_vertices);
+  visit(ReportField{"flipped_edges", "Edges flipped, of triangles that were folded over or thin"},
+        report.flipped_edges);
+  visit(ReportField{"refined_hits", "`embedded`: hits that got vertices so that nothing crosses"},
+        report.refined_hits);
+  visit(ReportField{"dropped_parts", "Parts left out because of the option `parts`"},
+        report.dropped_parts);
+  visit(ReportField{"dropped_crumbs", "Slivers beside closed holes that were left out"},
+        report.dropped_crumbs);
+  visit(ReportField{"invented_area",
+                    "Area of the faces that stand for no input face but close a hole; their source "
+                    "face is 4294967295",
+                    Unit::kModelArea},
+        report.invented_area);
+  visit(ReportField{"crossings",
+                    "`embedded`: pairs of triangles that still cross or touch; 0 unless parts of "
+                    "the surface nearer to each other than 32 bits tell apart are in each other's "
+                    "way, or sheets cross. Otherwise null: nobody has looked"},
+        report.crossings);
+}
+
+/// See `for_each_field` of `InputReport`.
+template <typename Visit>
+void for_each_field(const MeshReport& report, Visit&& visit) {
+  visit(ReportField{"vertices", "Positions, also those that no face uses"}, report.vertices);
+  visit(ReportField{"triangles", "Faces with three corners"}, report.triangles);
+  visit(ReportField{"quads", "Faces with four corners"}, report.quads);
+  visit(ReportField{"unreferenced_vertices", "Positions that no face uses"},
+        report.unreferenced_vertices);
+  visit(ReportField{"boundary_edges", "Edges with one face"}, report.boundary_edges);
+  visit(ReportField{"boundary_loops",
+                    "Closed rounds of boundary edges; those that touch in a vertex count apart"},
+        report.boundary_loops);
+  visit(ReportField{"non_manifold_edges", "Edges with three or more faces"},
+        report.non_manifold_edges);
+  visit(ReportField{"misoriented_edges", "Edges whose two faces run the same way along them"},
+        report.misoriented_edges);
+  visit(ReportField{"non_manifold_vertices",
+                    "Vertices whose faces do not form one fan; the ends of non-manifold edges are "
+                    "among them"},
+        report.non_manifold_vertices);
+  visit(ReportField{"degenerate_faces", "Faces with a repeated vertex"}, report.degenerate_faces);
+  visit(ReportField{"duplicate_faces", "Faces over the same vertices as an earlier one"},
+        report.duplicate_faces);
+  visit(ReportField{"components", "Parts joined by edges"}, report.components);
+  visit(ReportField{"euler_characteristic",
+                    "Referenced vertices - edges + faces: 2 for a sphere, less 2 for every handle"},
+        report.euler_characteristic);
+  visit(ReportField{"closed", "There is no edge with one face, and at least one face"},
+        report.closed);
+  visit(ReportField{"two_manifold",
+                    "Closed, and every edge and every vertex is that of a surface, consistently "
+                    "oriented; no face is degenerate or double"},
+        report.two_manifold);
+  visit(ReportField{"manifold", "The same, but there may be a boundary, as sheets have"},
+        report.manifold);
+  visit(ReportField{"volume",
+                    "Signed, positive where normals point outwards; means nothing unless the mesh "
+                    "is closed and oriented",
+                    Unit::kModelVolume},
+        report.volume);
+  visit(ReportField{"area", "A quad counts as its two triangles at the corners 0 and 2",
+                    Unit::kModelArea},
+        report.area);
+  visit(ReportField{"bounds", "Bounding box of the referenced vertices", Unit::kModelUnits},
+        report.bounds);
+}
+
+/// See `for_each_field` of `InputReport`.
+template <typename Visit>
+void for_each_field(const SelfIntersections& found, Visit&& visit) {
+  visit(ReportField{"pairs",
+                    "Pairs of triangles; a quad counts as its two triangles at the corners 0 and "
+                    "2"},
+        found.pairs);
+  visit(ReportField{"faces",
+                    "The faces that are part of a pair, ascending: triangles first, then quads"},
+        found.faces);
+}
+
+/// See `for_each_field` of `InputReport`. `genus` and `inside` may be kNone.
+template <typename Visit>
+void for_each_field(const MeshPart& part, Visit&& visit) {
+  visit(ReportField{"first_face", "The lowest of its faces"}, part.first_face);
+  visit(ReportField{"faces", "Number of its faces"}, part.faces);
+  visit(ReportField{"boundary_loops", "Closed rounds of boundary edges"}, part.boundary_loops);
+  visit(ReportField{"closed",
+                    "Every edge is used equally often in both directions: the part bounds "
+                    "something"},
+        part.closed);
+  visit(ReportField{"genus",
+                    "Handles; null where the part is no oriented surface, because it has "
+                    "misoriented edges or edges with three or more faces. Boundary loops count as "
+                    "if each were closed by a disk"},
+        OrNone{part.genus});
+  visit(ReportField{"area", "Area of its faces", Unit::kModelArea}, part.area);
+  visit(ReportField{"volume",
+                    "Signed, positive where normals point outwards; 0 for parts that are not "
+                    "closed",
+                    Unit::kModelVolume},
+        part.volume);
+  visit(ReportField{"inside",
+                    "The smallest (its number in `parts`) of the closed parts that hold this "
+                    "closed part; null if there is none. Parts that cross each other do not hold one another"},
+        OrNone{part.inside});
+  visit(ReportField{"cavity", "Turned inwards within parts that are turned outwards: a hollow"},
+        part.cavity);
+  visit(ReportField{"inside_out",
+                    "Turned inwards without being a cavity, or within parts that are turned "
+                    "inwards themselves"},
+        part.inside_out);
+}
+
+/// See `for_each_field` of `InputReport`. Lists are visited as they are.
+template <typename Visit>
+void for_each_field(const MeshDefects& defects, Visit&& visit) {
+  visit(ReportField{"report",
+                    "What `describe` says once vertices of equal position are joined: the counts"},
+        defects.report);
+  visit(ReportField{"balanced",
+                    "There are faces, and every edge is used equally often in both directions. Of "
+                    "other meshes `build_grid` makes a solid by `repair` only"},
+        defects.balanced);
+  visit(ReportField{"boundary_edges",
+                    "Edges with one face, two vertices each, in the order in which the face has "
+                    "them"},
+        defects.boundary_edges);
+  visit(ReportField{"boundary_loops",
+                    "The vertices of each closed round of boundary edges, in the direction of the "
+                    "faces where these agree. Boundary edges that form none (they end on "
+                    "non-manifold edges) are left out"},
+        defects.boundary_loops);
+  visit(ReportField{"non_manifold_edges",
+                    "Edges with three or more faces, two vertices each, the lower one first"},
+        defects.non_manifold_edges);
+  visit(ReportField{"misoriented_edges",
+                    "Edges whose two faces run the same way along them, two vertices each, the "
+                    "lower one first"},
+        defects.misoriented_edges);
+  visit(ReportField{"non_manifold_vertices", "Vertices whose faces do not form one fan"},
+        defects.non_manifold_vertices);
+  visit(ReportField{"degenerate_faces", "Faces with a repeated vertex"}, defects.degenerate_faces);
+  visit(ReportField{"zero_area_faces", "Faces of different vertices that lie exactly on one line"},
+        defects.zero_area_faces);
+  visit(ReportField{"duplicate_faces", "Faces over the same vertices as a face before"},
+        defects.duplicate_faces);
+  visit(ReportField{"flipped_faces",
+                    "Faces turned against their neighbours, or with their whole part inwards, as "
+                    "far as volume and what can be seen from outside tell: those that the inside "
+                    "rule `repair` turns"},
+        defects.flipped_faces);
+  visit(ReportField{"self_intersections",
+                    "Only if asked for: pairs of triangles that cross, touch or lie on each other "
+                    "in that way; a quad counts as its two triangles at the corners 0 and 2"},
+        defects.self_intersections);
+  visit(ReportField{"self_intersecting_faces",
+                    "Only if asked for: faces that cross or touch others where they share no "
+                    "vertex or edge, and faces that lie on each other"},
+        defects.self_intersecting_faces);
+  visit(ReportField{"part_of",
+                    "One entry a face: its number in `parts`; 4294967295 for degenerate faces"},
+        defects.part_of);
+  visit(ReportField{"parts", "The parts, in order of their first faces"}, defects.parts);
+  visit(ReportField{"nesting_known",
+                    "False: thousands of closed parts overlap, so that nobody has looked which lie "
+                    "in which; `inside` is then null, `cavity` and `inside_out` false for all"},
+        defects.nesting_known);
+}
+
+}  // namespace kdm

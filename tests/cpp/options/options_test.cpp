@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+// The tables of options and reports: every member is in them, names and ranges are as promised, and
+// the library checks by them.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "kdmanifold/kdmanifold.h"
+#include "kdmanifold/options.h"
+#include "kdmanifold/reports.h"
+#include "support/shapes.h"
+
+namespace kdm {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// The bytes of an object that the table reaches; counted from the start of the struct, gaps for
+// alignment left out at most 7 at a time.
+template <typename Struct>
+void expect_all_members_listed() {
+  const Struct object{};
+  const char* const start = reinterpret_cast<const char*>(&object);
+  std::size_t covered = 0;
+  std::set<std::string> names;
+  std::vector<bool> reached(sizeof(Struct));
+  for_each_field(object, [&](const auto& field, const auto& member) {
+    EXPECT_TRUE(names.insert(field.name).second) << field.name << " is listed twice";
+    const char* const at = reinterpret_cast<const char*>(&member);
+    if (at < start || at >= start + sizeof(Struct)) return;  // handed out as another type
+    for (std::size_t i = 0; i < sizeof(member); ++i) reached[at - start + i] = true;
+  });
+  for (std::size_t i = 0, run = 0; i < sizeof(Struct); ++i) {
+    run = reached[i] ? 0 : run + 1;
+    EXPECT_LT(run, 8u) << "bytes up to " << i << " belong to a member that is not listed";
+    covered += reached[i];
+  }
+  EXPECT_GT(covered, 0u);
+}
+
+TEST(Options, EveryMemberIsListed) {
+  expect_all_members_listed<BuildOptions>();
+  expect_all_members_listed<ExtractOptions>();
+  expect_all_members_listed<AnalyzeOptions>();
+}
+
+TEST(Reports, EveryMemberIsListed) {
+  expect_all_members_listed<InputReport>();
+  expect_all_members_listed<GridStats>();
+  expect_all_members_listed<ExtractReport>();
+  expect_all_members_listed<MeshReport>();
+  expect_all_members_listed<SelfIntersections>();
+  expect_all_members_listed<MeshDefects>();
+}
+
+TEST(Options, NamesAndRangesAreWrittenAsUsersReadThem) {
+  EXPECT_EQ(camel_case("relative_tolerance"), "relativeTolerance");
+  EXPECT_EQ(camel_case("depth"), "depth");
+  EXPECT_EQ(kebab_case("relative_tolerance"), "relative-tolerance");
+  EXPECT_EQ(range_text({}), "from 0 on");
+  EXPECT_EQ(range_text({.least = 1, .most = 60}), "from 1 to 60");
+  EXPECT_EQ(range_text({.most = 1, .most_excluded = true}), "from 0 to below 1");
+  EXPECT_EQ(joined_words<Parts>("|"), "all|outer|largest");
+  EXPECT_EQ(value_of<Strict>("embedded"), Strict::kEmbedded);
+  EXPECT_EQ(value_of<Strict>("loose"), std::nullopt);
+}
+
+TEST(Options, DefaultsAreLegal) {
+  EXPECT_NO_THROW(check_options(BuildOptions{}));
+  EXPECT_NO_THROW(check_options(ExtractOptions{}));
+}
+
+template <typename Options>
+std::string complaint(const Options& options) {
+  try {
+    check_options(options);
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kInvalidOption);
+    return error.what();
+  }
+  return "";
+}
+
+// Sets one field after the other to values that are legal and to others that are not.
+template <typename Options>
+void expect_ranges_checked() {
+  Options options;
+  for_each_field(options, [&](const OptionField& field, auto& member) {
+    using Value = std::decay_t<decltype(member)>;
+    const Value standard = member;
+    if constexpr (std::is_enum_v<Value>) {
+      for (const Word<Value>& word : words_of<Value>()) {
+        member = word.value;
+        EXPECT_EQ(complaint(options), "") << word.word;
+      }
+      member = static_cast<Value>(99);
+      EXPECT_EQ(complaint(options).rfind(std::string(field.name) + " is 99", 0), 0u);
+    } else if constexpr (!std::is_same_v<Value, bool>) {
+      member = static_cast<Value>(field.range.least);
+      EXPECT_EQ(complaint(options), "") << field.name;
+      std::vector<double> wrong = {-1};
+      if (has_end(field.range)) {
+        const double most = field.range.most;
+        member = static_cast<Value>(field.range.most_excluded ? most / 2 : most);
+        EXPECT_EQ(complaint(options), "") << field.name;
+        wrong.push_back(field.range.most_excluded ? most : most + 1);
+      }
+      if constexpr (std::is_same_v<Value, double>) {
+        wrong.push_back(std::nan(""));
+        if (field.range.most < kInfinity) wrong.push_back(kInfinity);
+      }
+      for (const double value : wrong) {
+        member = static_cast<Value>(value);
+        EXPECT_EQ(complaint(options).rfind(std::string(field.name) + " is ", 0), 0u) << value;
+      }
+    }
+    member = standard;
+  });
+}
+
+TEST(Options, RangesAreChecked) {
+  expect_ranges_checked<BuildOptions>();
+  expect_ranges_checked<ExtractOptions>();
+}
+
+TEST(Options, MessagesSayWhatIsLegal) {
+  EXPECT_EQ(complaint(BuildOptions{.depth = 61}),
+            "depth is 61; it must be a whole number from 1 to 60, or 0, which stands for 60, or 18 "
+            "for uniform, 64 cells an axis");
+  EXPECT_EQ(complaint(BuildOptions{.winding_threshold = 1}),
+            "winding_threshold is 1; it must be a number from 0 to below 1");
+  EXPECT_EQ(complaint(ExtractOptions{.link_error = -0.5}),
+            "link_error is -0.5; it must be a number from 0 on");
+}
+
+TEST(Options, TheLibraryChecksThem) {
+  EXPECT_THROW(build_grid(shapes::cube(), {.tolerance = -1}), Error);
+  EXPECT_NO_THROW(build_grid(shapes::cube(), {.depth = 60}));
+  const Grid grid = build_grid(shapes::cube());
+  EXPECT_THROW(extract(grid, {.crease_angle = 181}), Error);
+  EXPECT_NO_THROW(extract(grid, {.split_error = kInfinity, .link_error = kInfinity}));
+}
+
+}  // namespace
+}  // namespace kdm
