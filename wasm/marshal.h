@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How values cross between JavaScript and C++: typed arrays to vectors and back, option objects to
-// option structs, exceptions to {code, message}. Arguments have been checked by the wrapper.
+// How values cross between JavaScript and C++: typed arrays to vectors and back, exceptions to
+// {code, message}. The wrapper in web/src has checked the arguments.
 #pragma once
 
 #include <emscripten/val.h>
@@ -11,7 +11,6 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "kdmanifold/error.h"
@@ -117,32 +116,6 @@ inline std::string to_bytes(const val& array) {
 
 inline val from_bytes(std::string_view bytes) {
   return copy_out("Uint8Array", bytes.size(), reinterpret_cast<const std::uint8_t*>(bytes.data()));
-}
-
-/// A name and what it stands for, as in `{"octree", SplitStrategy::kOctree}`.
-template <typename E>
-using Named = std::pair<const char*, E>;
-
-template <typename E, std::size_t N>
-E to_enum(const val& value, const char* option, const std::array<Named<E>, N>& names) {
-  const std::string text = value.as<std::string>();
-  for (const auto& [name, meaning] : names) {
-    if (text == name) return meaning;
-  }
-  throw Error(ErrorCode::kInvalidOption, std::string(option) + ": unknown value '" + text + "'");
-}
-
-/// Takes option `name` over if the object has it; what it lacks keeps the C++ default.
-template <typename T>
-void read(const val& options, const char* name, T& to) {
-  const val value = options[name];
-  if (present(value)) to = value.as<T>();
-}
-
-template <typename E, std::size_t N>
-void read(const val& options, const char* name, E& to, const std::array<Named<E>, N>& names) {
-  const val value = options[name];
-  if (present(value)) to = to_enum(value, name, names);
 }
 
 /// The callback must not throw: a JavaScript exception would not unwind C++ frames properly. The

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Everything that a caller can get wrong is found here, before any memory is taken.
+// Finds everything that a caller can get wrong, before any memory of WebAssembly is taken.
 import { KdManifoldError } from './errors.js';
-import { analyzeOptions, buildOptions, extractOptions, type OptionSpec } from './options.js';
+import { isLegal, rangeText, type OptionSpec } from './option-spec.js';
+import { analyzeOptions, buildOptions, extractOptions } from './options.js';
 import type {
   AnalyzeOptions,
   BuildOptions,
@@ -107,33 +108,19 @@ function checkOption(name: string, value: unknown, spec: OptionSpec): void {
   };
   switch (spec.kind) {
     case 'choice':
-      if (!spec.values.includes(value as string)) refuse(`one of ${spec.values.join(', ')}`);
+      if (!spec.words.includes(value as string)) refuse(`one of ${spec.words.join(', ')}`);
       break;
     case 'integer':
-      if (
-        !Number.isInteger(value) ||
-        (value as number) < spec.min ||
-        (value as number) > spec.max
-      ) {
-        refuse(`a whole number from ${spec.min} to ${spec.max}`);
-      }
-      break;
     case 'number':
-      if (
-        !Number.isFinite(value) ||
-        (value as number) < spec.min ||
-        (value as number) > (spec.max ?? Infinity)
-      ) {
-        refuse(
-          spec.max === undefined
-            ? `a finite number not below ${spec.min}`
-            : `a number from ${spec.min} to ${spec.max}`,
-        );
+      if (!isLegal(value, spec)) {
+        refuse(`a ${spec.kind === 'integer' ? 'whole ' : ''}number ${rangeText(spec)}`);
       }
       break;
-    case 'flag':
+    case 'boolean':
       if (typeof value !== 'boolean') refuse('true or false');
       break;
+    case 'text':
+      break; // the command line's
   }
 }
 

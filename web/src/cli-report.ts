@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The account of one run of the command line, word for word as src/cli/report.cpp writes it.
+// The account of one run of the command line, word for word as the native one (src/cli) writes it.
 import type { Command } from './cli-options.js';
 import { namesAGrid } from './library.js';
+import { pick } from './pick.js';
+import { checkKeys, defectKeys, outputKeys } from './reports.js';
 import type { ExtractReport, GridStats, InputReport, MeshDefects, MeshReport } from './types.js';
 
 /** What is reported. */
@@ -26,10 +28,13 @@ export function reportAsJson(report: CliReport, command: Command): string {
   const { defects, result, seconds } = report;
   const json = {
     input: result?.input ?? (defects && inputOf(defects)),
-    defects: defects && { ...countsOf(defects), nestingKnown: defects.nestingKnown },
+    defects: defects && pick(countsOf(defects), defectKeys),
     grid: result?.grid,
-    output: result && outputOf(result.output),
-    check: command.check && result ? checkOf(result.output) : undefined,
+    output: result && {
+      ...pick(result.output, outputKeys),
+      selfIntersections: result.output.selfIntersections,
+    },
+    check: command.check && result ? pick(result.output, checkKeys) : undefined,
     seconds: {
       read: seconds.read,
       analyze: seconds.analyze,
@@ -55,22 +60,19 @@ function inputOf(input: MeshDefects): object {
   };
 }
 
-function countsOf(defects: MeshDefects): Record<string, number> {
-  const { report, parts } = defects;
+type PartSums = Record<
+  'openParts' | 'insideOutParts' | 'cavities' | 'genus' | 'area' | 'volume',
+  number
+>;
+type Counts = Record<Exclude<(typeof defectKeys)[number], 'nestingKnown'>, number> & {
+  nestingKnown: boolean;
+};
+
+// Lists are represented by their lengths; edges are two numbers each.
+function countsOf(defects: MeshDefects): Counts {
   const sum = (of: (part: MeshDefects['parts'][number]) => number): number =>
-    parts.reduce((total, part) => total + of(part), 0);
-  return {
-    boundaryEdges: report.boundaryEdges,
-    boundaryLoops: defects.boundaryLoops.length,
-    nonManifoldEdges: report.nonManifoldEdges,
-    misorientedEdges: report.misorientedEdges,
-    nonManifoldVertices: report.nonManifoldVertices,
-    degenerateFaces: report.degenerateFaces,
-    zeroAreaFaces: defects.zeroAreaFaces.length,
-    duplicateFaces: report.duplicateFaces,
-    flippedFaces: defects.flippedFaces.length,
-    selfIntersections: defects.selfIntersections,
-    selfIntersectingFaces: defects.selfIntersectingFaces.length,
+    defects.parts.reduce((total, part) => total + of(part), 0);
+  const sums: PartSums = {
     openParts: sum((part) => Number(!part.closed)),
     insideOutParts: sum((part) => Number(part.insideOut)),
     cavities: sum((part) => Number(part.cavity)),
@@ -78,48 +80,12 @@ function countsOf(defects: MeshDefects): Record<string, number> {
     area: sum((part) => part.area),
     volume: sum((part) => part.volume),
   };
-}
-
-function outputOf(output: NonNullable<CliReport['result']>['output']): object {
-  return {
-    vertices: output.vertices,
-    triangles: output.triangles,
-    quads: output.quads,
-    components: output.components,
-    eulerCharacteristic: output.eulerCharacteristic,
-    twoManifold: output.twoManifold,
-    manifold: output.manifold,
-    closed: output.closed,
-    boundaryLoops: output.boundaryLoops,
-    volume: output.volume,
-    area: output.area,
-    droppedPillows: output.droppedPillows,
-    insertedVertices: output.insertedVertices,
-    splitVertices: output.splitVertices,
-    linkVertices: output.linkVertices,
-    flippedEdges: output.flippedEdges,
-    refinedHits: output.refinedHits,
-    droppedParts: output.droppedParts,
-    droppedCrumbs: output.droppedCrumbs,
-    inventedArea: output.inventedArea,
-    crossings: output.crossings,
-    selfIntersections: output.selfIntersections,
-  };
-}
-
-// What --check looked for.
-function checkOf(output: MeshReport): object {
-  return {
-    twoManifold: output.twoManifold,
-    manifold: output.manifold,
-    closed: output.closed,
-    boundaryEdges: output.boundaryEdges,
-    nonManifoldEdges: output.nonManifoldEdges,
-    misorientedEdges: output.misorientedEdges,
-    nonManifoldVertices: output.nonManifoldVertices,
-    degenerateFaces: output.degenerateFaces,
-    duplicateFaces: output.duplicateFaces,
-  };
+  const entries = Object.entries(defects) as [string, ArrayLike<unknown> | object | number][];
+  const counts = entries.map(([name, value]) => {
+    const isList = typeof value === 'object' && 'length' in value;
+    return [name, isList ? value.length / (name.endsWith('Edges') ? 2 : 1) : value] as const;
+  });
+  return { ...Object.fromEntries(counts), ...sums } as Counts;
 }
 
 /** A few lines for people. */
@@ -134,9 +100,9 @@ export function reportAsText(report: CliReport, command: Command): string {
   return `${lines.join('\n')}\n`;
 }
 
-type Counts = { vertices: number; triangles: number; components: number };
+type Sizes = { vertices: number; triangles: number; components: number };
 
-const inputLine = (input: Counts, command: Command): string =>
+const inputLine = (input: Sizes, command: Command): string =>
   `input    ${command.input}: ${input.vertices} vertices, ${input.triangles} triangles, ` +
   `${input.components} parts`;
 
@@ -164,7 +130,7 @@ function repairLines({ input, grid, output }: NonNullable<CliReport['result']>):
   ];
 }
 
-const names: [string, string][] = [
+const names: [keyof Counts, string][] = [
   ['boundaryEdges', 'open edges'],
   ['boundaryLoops', 'boundary loops'],
   ['nonManifoldEdges', 'edges with three or more faces'],
@@ -181,7 +147,7 @@ const names: [string, string][] = [
 function defectLines(defects: MeshDefects): string[] {
   const counts = countsOf(defects);
   const found = names.filter(([key]) => counts[key]).map(([key, name]) => `${counts[key]} ${name}`);
-  const { openParts = 0, cavities, genus } = counts;
+  const { openParts, cavities, genus } = counts;
   const nesting = defects.nestingKnown ? '' : ' (too many overlap to look for them)';
   return [
     `defects  ${found.join(', ') || 'none'}`,

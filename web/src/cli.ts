@@ -4,8 +4,9 @@
 // 0: done; 1: --check found the output not 2-manifold; 2: bad input or option, one line of error.
 import { readFileSync, realpathSync, renameSync, rmSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
-import { converts, helpText, readCommand, type Command } from './cli-options.js';
+import { converts, readCommand, type Command } from './cli-options.js';
 import { passesCheck, reportAsJson, reportAsText, type CliReport } from './cli-report.js';
+import { helpText } from './cli-table.js';
 import { KdManifoldError } from './errors.js';
 import type { Grid } from './grid.js';
 import { formatFromPath, namesAGrid } from './library.js';
@@ -27,7 +28,7 @@ export async function runCli(args: string[]): Promise<Outcome> {
   try {
     command = readCommand(args);
     const library = await load();
-    if (command.help) return { status: 0, out: helpText(), err: '' };
+    if (command.help) return { status: 0, out: helpText, err: '' };
     if (command.version) return { status: 0, out: `kdmanifold ${library.version}\n`, err: '' };
     const report = convertFile(library, command);
     const { output, grid } = report.result ?? {};

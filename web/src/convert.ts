@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // One whole conversion on the calling thread. The worker and the inline path share it.
 import type { KdManifold } from './library.js';
+import { pick } from './pick.js';
+import { outputKeys } from './reports.js';
 import type {
   BuildOptions,
   Conversion,
@@ -39,19 +41,7 @@ export function convert(
       report: {
         input: grid.input,
         grid: grid.stats,
-        output: {
-          vertices: described.vertices,
-          triangles: described.triangles,
-          quads: described.quads,
-          components: described.components,
-          eulerCharacteristic: described.eulerCharacteristic,
-          twoManifold: described.twoManifold,
-          manifold: described.manifold,
-          closed: described.closed,
-          volume: described.volume,
-          area: described.area,
-          ...report,
-        },
+        output: pick({ ...described, ...report }, outputKeys),
         seconds: { build: (built - started) / 1000, extract: (extracted - built) / 1000 },
         peakBytes: library.memory().heapBytes,
       },

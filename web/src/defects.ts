@@ -1,38 +1,28 @@
 // SPDX-License-Identifier: MIT
 // The answer of `analyze`, made of flat arrays.
 import type { RawDefects } from './kdmanifold.js';
-import type { MeshDefects, MeshPart } from './types.js';
+import { partKeys, type MeshDefects, type MeshPart } from './reports.js';
 
-const none = 0xffffffff;
-
-/** Loops become arrays of their own, parts become objects. */
+/** Makes arrays of the loops and objects of the parts. */
 export function toDefects(raw: RawDefects): MeshDefects {
-  const { loopVertices, loopEnds, partCounts, partSizes, ...lists } = raw;
+  const { loopVertices, loopEnds, partNumbers, ...others } = raw;
+  const fields = partKeys.length;
   return {
-    ...lists,
+    ...others,
     boundaryLoops: Array.from(loopEnds, (end, i) =>
       loopVertices.slice(i === 0 ? 0 : loopEnds[i - 1], end),
     ),
-    parts: Array.from({ length: partSizes.length / 2 }, (_, i) =>
-      toPart(partCounts.subarray(8 * i, 8 * i + 8), partSizes.subarray(2 * i, 2 * i + 2)),
+    parts: Array.from({ length: partNumbers.length / fields }, (_, i) =>
+      toPart(partNumbers.subarray(fields * i, fields * (i + 1))),
     ),
   };
 }
 
-function toPart(counts: Uint32Array, sizes: Float64Array): MeshPart {
-  const [firstFace, faces, boundaryLoops, genus, inside, closed, cavity, insideOut] =
-    counts as unknown as [number, number, number, number, number, number, number, number];
-  const [area, volume] = sizes as unknown as [number, number];
-  return {
-    firstFace,
-    faces,
-    boundaryLoops,
-    closed: closed !== 0,
-    genus: genus === none ? null : genus,
-    area,
-    volume,
-    inside: inside === none ? null : inside,
-    cavity: cavity !== 0,
-    insideOut: insideOut !== 0,
-  };
+function toPart(numbers: Float64Array): MeshPart {
+  const part = partKeys.map(([name, type], i) => {
+    const number = numbers[i] as number;
+    if (type === 'boolean') return [name, number !== 0];
+    return [name, Number.isNaN(number) ? null : number];
+  });
+  return Object.fromEntries(part) as MeshPart;
 }

@@ -31,10 +31,8 @@ export interface RawDefects extends Omit<MeshDefects, 'boundaryLoops' | 'parts'>
   /** The loops one after the other, and where each ends. */
   loopVertices: Uint32Array<ArrayBuffer>;
   loopEnds: Uint32Array<ArrayBuffer>;
-  /** Eight a part: firstFace, faces, boundaryLoops, genus, inside, closed, cavity, insideOut. */
-  partCounts: Uint32Array<ArrayBuffer>;
-  /** Two a part: area, volume. */
-  partSizes: Float64Array<ArrayBuffer>;
+  /** All fields of each part, as `partKeys` lists them; flags are 0 or 1, NaN stands for null. */
+  partNumbers: Float64Array<ArrayBuffer>;
 }
 
 export interface RawModule {

@@ -1,127 +1,197 @@
 // SPDX-License-Identifier: MIT
-// The options as a table: the checks, the defaults and the command line all read it. A new option
-// is one line here, one in the interface in types.ts (the compiler sees to that) and one in
-// wasm/module.h.
-import type { AnalyzeOptions, BuildOptions, ExtractOptions } from './types.js';
+// Options: types, legal values. Made by scripts/generate-options.mjs, not by hand.
 
-/** @internal What is legal for one option. `help` completes the line of the command line's help. */
-export type OptionSpec =
-  | { kind: 'choice'; values: readonly string[]; default: string; help: string }
-  | { kind: 'integer'; min: number; max: number; default: number | undefined; help: string }
-  | { kind: 'number'; min: number; max?: number; default: number; help: string }
-  | { kind: 'flag'; default: boolean; help: string };
+import type { OptionTable } from './option-spec.js';
 
-type Table<T> = { readonly [K in keyof Required<T>]: OptionSpec };
+/** How a mesh becomes a grid. */
+export interface BuildOptions {
+  /**
+   * How cells are split:
+   * - `adaptive` (default): until the surface is met within the tolerance and its topology is
+   *   resolved
+   * - `octree`: the same, but at midpoints, x, y, z in turn
+   * - `feature`: the same, but through or near features of the cell (paper 5.1.2 (2))
+   * - `median`: median of triangle centres, until every triangle is hit by a grid edge (paper 5.1.2
+   *   (1))
+   * - `uniform`: midpoints in turn, to the full depth wherever a cell meets the surface
+   */
+  strategy?: 'adaptive' | 'octree' | 'feature' | 'median' | 'uniform';
+  /**
+   * How far the result may be from the input, in model units. Of `adaptive`, `octree` and
+   * `feature`. 0, the default: the relative tolerance counts instead.
+   */
+  tolerance?: number;
+  /**
+   * The same, relative to the model's size, in diagonals of the bounding box. Default 0.001. 0: all
+   * that is not flat is split down to the depth limit.
+   */
+  relativeTolerance?: number;
+  /**
+   * Limit of the tree's depth, from 1 to 60. Three levels halve a cell in each axis. Left out: 60,
+   * or 18 for uniform, 64 cells an axis.
+   */
+  depth?: number;
+  /**
+   * Which winding numbers are inside:
+   * - `repair` (default): `positive` if the surface is closed and consistently oriented; any other
+   *   becomes a solid by its generalised winding number: holes are closed, faces turned back
+   * - `positive`: above 0, the union of overlapping and nested shells; closed input only
+   * - `odd`: odd numbers; closed input only
+   * - `nonzero`: all but 0; closed input only
+   * - `sheet`: there is no inside: all of the surface is kept, as it is turned, and open surfaces
+   *   stay open; the result is a manifold with boundary. Any mesh will do; it comes apart where
+   *   neighbours are turned against each other
+   */
+  inside?: 'repair' | 'positive' | 'odd' | 'nonzero' | 'sheet';
+  /**
+   * `repair`: winding numbers above this are inside, from 0 to below 1. Lower values close wider
+   * gaps, and let what bulges over the gaps bulge further. 0, the default: what keeps most of the
+   * input's area, at most 0.5.
+   */
+  windingThreshold?: number;
+  /**
+   * `repair`: holes wider than this are refused, in model units. The width of a hole is the
+   * diagonal of its bounding box. The error is `NOT_CLOSED`. 0, the default: all are closed.
+   */
+  largestHole?: number;
+  /**
+   * How hits are linked where a face of the grid has more than two:
+   * - `trace` (default): as the input's surface crosses the face
+   * - `hermite`: by the least deviation from the hits' tangents
+   * - `inside`: the two hits at the ends of an inside stretch of the outline (paper 2.1)
+   * - `outside`: the two hits at the ends of an outside stretch of the outline (paper 2.1)
+   */
+  pairing?: 'trace' | 'hermite' | 'inside' | 'outside';
+  /**
+   * Build a shell of this thickness around the surface, which may be open, in model units. The
+   * report's `input` is that of the shell. 0, the default: the input itself is built.
+   */
+  thicken?: number;
+}
+
+/** How a grid becomes a mesh. */
+export interface ExtractOptions {
+  /**
+   * Split vertices that lie further than this from a plane they stand for, in model units. A cell
+   * can then hold several features (paper 2.3.1). More than the model's size: never. 0 splits where
+   * vertices are further off than the grid's tolerance and 0.3 times the way to the furthest of
+   * their hits, but never with `quads`. 0, the default: where a cell has two features.
+   */
+  splitError?: number;
+  /**
+   * Where vertices go whose best place lies outside of their cell. The best place is where the sum
+   * of squared distances to the planes of the hits is least (paper 2.2.1):
+   * - `constrained` (default): to the best place within the cell
+   * - `projection`: to the point of the cell that is nearest to the best place
+   */
+  position?: 'constrained' | 'projection';
+  /**
+   * Make quads where four cells meet. The two triangles of such an edge are joined: everywhere on a
+   * uniform grid. Quads need not be planar. Default false.
+   */
+  quads?: boolean;
+  /**
+   * Flip edges of triangles that are folded over or thin. Folded over their neighbours, where that
+   * lays them flat; thin with an angle below two degrees, where that makes their smallest angle
+   * twice as wide. Takes away most self-intersections and most thin triangles. Not with `quads`.
+   * Default true.
+   */
+  unfold?: boolean;
+  /**
+   * Put vertices where edges pass between cells further than this from the surface, in model units.
+   * More than the model's size: never. Not with `quads`. 0, the default: the grid's tolerance.
+   */
+  linkError?: number;
+  /**
+   * Which parts of the result are kept. Sheets keep all:
+   * - `all` (default): all but crumbs, slivers thinner than the tolerance beside holes that were
+   *   closed
+   * - `outer`: only those that lie in no other: no cavities, and nothing within cavities
+   * - `largest`: only the one that encloses most, without its cavities
+   */
+  parts?: 'all' | 'outer' | 'largest';
+  /**
+   * What the result must be as an index mesh:
+   * - `off`: the raw dual surface, whose half-edges are manifold but not its vertex numbers
+   * - `manifold` (default): 2-manifold: vertices are added where two parts of the surface would
+   *   share an edge, parts without volume are dropped
+   * - `embedded`: the same, and no two triangles cross or touch but where they share vertices, none
+   *   is without area; holds for the 32-bit coordinates. Not with `quads`
+   */
+  strict?: 'off' | 'manifold' | 'embedded';
+  /**
+   * Give the corners of faces normals for shading (of the files, OBJ has them). Unit normals, from
+   * the input's normals at the hits. Vertices on a crease are not doubled. Default false.
+   */
+  normals?: boolean;
+  /**
+   * `normals`: they differ where faces turn by more than this, in degrees from 0 to 180. At 0 they
+   * differ at all edges but in flat parts, at 180 nowhere. Default 30.
+   */
+  creaseAngle?: number;
+}
+
+/** What `KdManifold.analyze` looks for. */
+export interface AnalyzeOptions {
+  /**
+   * Look for self-intersections too. Takes several times as long as all the rest, and far longer
+   * where many faces overlap that are no copies of each other. Default false.
+   */
+  selfIntersections?: boolean;
+}
 
 /** @internal */
-export const buildOptions: Table<BuildOptions> = {
+export const buildOptions: OptionTable<BuildOptions> = {
   strategy: {
+    flag: '--strategy',
     kind: 'choice',
-    values: ['adaptive', 'octree', 'feature', 'median', 'uniform'],
+    words: ['adaptive', 'octree', 'feature', 'median', 'uniform'],
     default: 'adaptive',
-    help: 'how cells are split',
   },
-  tolerance: {
-    kind: 'number',
-    min: 0,
-    default: 0,
-    help: 'distance from the input in model units; 0: the relative one counts',
-  },
-  relativeTolerance: {
-    kind: 'number',
-    min: 0,
-    default: 0.001,
-    help: "the same as a fraction of the bounding box's diagonal",
-  },
-  depth: {
-    kind: 'integer',
-    min: 1,
-    max: 60,
-    default: undefined,
-    help: "limit of the tree's depth",
-  },
+  tolerance: { flag: '--tolerance', kind: 'number', least: 0, default: 0 },
+  relativeTolerance: { flag: '--relative-tolerance', kind: 'number', least: 0, default: 0.001 },
+  depth: { flag: '--depth', kind: 'integer', least: 1, most: 60 },
   inside: {
+    flag: '--inside',
     kind: 'choice',
-    values: ['repair', 'positive', 'odd', 'nonzero', 'sheet'],
+    words: ['repair', 'positive', 'odd', 'nonzero', 'sheet'],
     default: 'repair',
-    help: 'which winding numbers are inside; sheet: none, open surfaces stay open',
   },
-  windingThreshold: {
-    kind: 'number',
-    min: 0,
-    max: 1,
-    default: 0,
-    help: 'repair: winding numbers above this are inside, below 1; 0: what keeps most faces',
-  },
-  largestHole: {
-    kind: 'number',
-    min: 0,
-    default: 0,
-    help: 'repair: wider holes are refused, in model units; 0: all are closed',
-  },
+  windingThreshold: { flag: '--winding-threshold', kind: 'number', least: 0, below: 1, default: 0 },
+  largestHole: { flag: '--largest-hole', kind: 'number', least: 0, default: 0 },
   pairing: {
+    flag: '--pairing',
     kind: 'choice',
-    values: ['trace', 'hermite', 'inside', 'outside'],
+    words: ['trace', 'hermite', 'inside', 'outside'],
     default: 'trace',
-    help: 'how hits are linked on crowded faces',
   },
-  thicken: {
-    kind: 'number',
-    min: 0,
-    default: 0,
-    help: 'build a shell of this thickness around the surface, in model units; 0: the input itself',
-  },
+  thicken: { flag: '--thicken', kind: 'number', least: 0, default: 0 },
 };
 
 /** @internal */
-export const extractOptions: Table<ExtractOptions> = {
-  splitError: {
-    kind: 'number',
-    min: 0,
-    default: 0,
-    help: 'split vertices further than this from a plane, in model units; 0: features',
-  },
+export const extractOptions: OptionTable<ExtractOptions> = {
+  splitError: { flag: '--split-error', kind: 'number', least: 0, default: 0 },
   position: {
+    flag: '--position',
     kind: 'choice',
-    values: ['constrained', 'projection'],
+    words: ['constrained', 'projection'],
     default: 'constrained',
-    help: 'how vertices are kept within their cells',
   },
-  quads: { kind: 'flag', default: false, help: 'write quads where four leaves meet' },
-  unfold: {
-    kind: 'flag',
-    default: true,
-    help: 'flip edges of triangles that are folded over or thin',
-  },
-  linkError: {
-    kind: 'number',
-    min: 0,
-    default: 0,
-    help: 'vertices where edges pass between leaves further from the surface than this, in model units; 0: the tolerance',
-  },
-  parts: {
-    kind: 'choice',
-    values: ['all', 'outer', 'largest'],
-    default: 'all',
-    help: 'which parts are kept; outer: no cavities, nothing within others',
-  },
+  quads: { flag: '--quads', kind: 'boolean', default: false },
+  unfold: { flag: '--no-unfold', kind: 'boolean', default: true },
+  linkError: { flag: '--link-error', kind: 'number', least: 0, default: 0 },
+  parts: { flag: '--parts', kind: 'choice', words: ['all', 'outer', 'largest'], default: 'all' },
   strict: {
+    flag: '--strict',
     kind: 'choice',
-    values: ['off', 'manifold', 'embedded'],
+    words: ['off', 'manifold', 'embedded'],
     default: 'manifold',
-    help: 'what the index mesh must be; embedded: nothing crosses',
   },
-  normals: { kind: 'flag', default: false, help: 'write normals at the corners of faces (OBJ)' },
-  creaseAngle: {
-    kind: 'number',
-    min: 0,
-    max: 180,
-    default: 30,
-    help: 'normals differ where faces turn by more, 0 to 180 degrees',
-  },
+  normals: { flag: '--normals', kind: 'boolean', default: false },
+  creaseAngle: { flag: '--crease-angle', kind: 'number', least: 0, most: 180, default: 30 },
 };
 
-/** @internal Not on the command line, whose --stats looks for everything. */
-export const analyzeOptions: Table<AnalyzeOptions> = {
-  selfIntersections: { kind: 'flag', default: false, help: 'look for self-intersections' },
+/** @internal */
+export const analyzeOptions: OptionTable<AnalyzeOptions> = {
+  selfIntersections: { flag: '--self-intersections', kind: 'boolean', default: false },
 };

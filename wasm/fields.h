@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+// Reads option objects and makes report objects by the tables in kdmanifold/options.h and
+// reports.h. Properties are the members' names in camel case.
+#pragma once
+
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "kdmanifold/error.h"
+#include "kdmanifold/options.h"
+#include "kdmanifold/reports.h"
+#include "marshal.h"
+
+namespace kdm::wasm {
+
+/// Returns what the word stands for; `name` is what the error calls the option.
+template <typename Choice>
+Choice to_choice(const val& word, const char* name) {
+  const std::string text = word.as<std::string>();
+  if (const std::optional<Choice> value = value_of<Choice>(text)) return *value;
+  throw Error(ErrorCode::kInvalidOption,
+              std::string(name) + ": '" + text + "' is none of " + joined_words<Choice>(", "));
+}
+
+/// Reads an object of options. What it lacks keeps its default.
+template <typename Options>
+Options to_options(const val& from) {
+  Options options;
+  for_each_field(options, [&](const OptionField& field, auto& target) {
+    using Value = std::decay_t<decltype(target)>;
+    const val value = from[camel_case(field.name)];
+    if (!present(value)) return;
+    if constexpr (std::is_enum_v<Value>) {
+      target = to_choice<Value>(value, field.name);
+    } else {
+      target = value.as<Value>();
+    }
+  });
+  return options;
+}
+
+/// Makes a JavaScript value. 64-bit counts become ordinary numbers: they are below 2^53.
+template <typename Value>
+requires std::is_arithmetic_v<Value> val from_value(Value value) {
+  if constexpr (sizeof(Value) == 8) return val(static_cast<double>(value));
+  return val(value);
+}
+inline val from_value(const std::optional<std::uint64_t>& value) {
+  return value ? from_value(*value) : val::null();
+}
+inline val from_value(const Box& box) {
+  val to = val::object();
+  to.set("min", copy_out("Float64Array", 3, box.min.data()));
+  to.set("max", copy_out("Float64Array", 3, box.max.data()));
+  return to;
+}
+template <typename Element>
+val from_value(const std::vector<Element>& list) {
+  return from_indices(list);
+}
+
+/// Makes an object of a report.
+template <typename Report>
+val from_report(const Report& report) {
+  val to = val::object();
+  for_each_field(report, [&](const ReportField& field, const auto& value) {
+    to.set(camel_case(field.name), from_value(value));
+  });
+  return to;
+}
+inline val from_value(const MeshReport& report) { return from_report(report); }
+
+/// Sets `loopVertices`, the loops one after the other, and `loopEnds`, where each ends.
+inline void set_loops(val& to, const std::vector<std::vector<Index>>& loops) {
+  std::vector<Index> vertices;
+  std::vector<Index> ends;
+  for (const std::vector<Index>& loop : loops) {
+    vertices.insert(vertices.end(), loop.begin(), loop.end());
+    ends.push_back(static_cast<Index>(vertices.size()));
+  }
+  to.set("loopVertices", from_indices(vertices));
+  to.set("loopEnds", from_indices(ends));
+}
+
+/// Sets `partNumbers`: all fields of each part as 64-bit numbers, in the order of the table; flags
+/// are 0 or 1, what is missing is NaN.
+inline void set_parts(val& to, const std::vector<MeshPart>& parts) {
+  std::vector<double> numbers;
+  const auto add = [&]<typename Value>(const Value& value) {
+    if constexpr (std::is_same_v<Value, OrNone>) {
+      numbers.push_back(value.number == kNone ? std::nan("") : value.number);
+    } else {
+      numbers.push_back(static_cast<double>(value));
+    }
+  };
+  for (const MeshPart& part : parts) {
+    for_each_field(part, [&](const ReportField&, const auto& value) { add(value); });
+  }
+  to.set("partNumbers", copy_out("Float64Array", numbers.size(), numbers.data()));
+}
+
+/// Makes an object of the defects. Loops and parts are flat arrays: there may be hundreds of
+/// thousands, and the wrapper makes objects of them quicker than calls from here.
+inline val from_defects(const MeshDefects& defects) {
+  val to = val::object();
+  for_each_field(defects, [&]<typename Value>(const ReportField& field, const Value& value) {
+    if constexpr (std::is_same_v<Value, std::vector<std::vector<Index>>>) {
+      set_loops(to, value);
+    } else if constexpr (std::is_same_v<Value, std::vector<MeshPart>>) {
+      set_parts(to, value);
+    } else {
+      to.set(camel_case(field.name), from_value(value));
+    }
+  });
+  return to;
+}
+
+}  // namespace kdm::wasm

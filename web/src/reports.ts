@@ -1,0 +1,395 @@
+// SPDX-License-Identifier: MIT
+// Types of reports, keys of their parts. Made by scripts/generate-options.mjs, not by hand.
+
+/** What the grid was built from. */
+export interface InputReport {
+  /** After joining vertices of exactly equal position. */
+  vertices: number;
+  /** Triangles of the input. */
+  triangles: number;
+  /** Every edge is used equally often in both directions. */
+  closed: boolean;
+  /** Edges with one face. */
+  boundaryEdges: number;
+  /**
+   * Closed rounds of the edges at which the surface ends: those with one face, and faces without a
+   * neighbour that runs against them along the edge. `repair`: once the surface is sewn and turned.
+   */
+  boundaryLoops: number;
+  /** Edges with three or more faces. */
+  nonManifoldEdges: number;
+  /** Faces without area once positions are rounded; they take no part. */
+  degenerateFaces: number;
+  /** Faces that lie back to back in pairs; they take no part. */
+  cancelledFaces: number;
+  /** `repair`: further faces over the same corners; they take no part. */
+  duplicateFaces: number;
+  /** `repair`: pairs of boundary edges, no further apart than the tolerance, that were joined. */
+  sewnEdges: number;
+  /** `repair`: faces that were turned to agree with their neighbours and look outwards. */
+  turnedFaces: number;
+  /** Parts joined by edges. */
+  components: number;
+  /** The input was inside out and has been turned. */
+  flipped: boolean;
+  /** The step to which positions were rounded for decisions. In model units. */
+  latticeStep: number;
+}
+
+/** The size of a grid. */
+export interface GridStats {
+  /** Nodes of the kd-tree. */
+  cells: number;
+  /** Cells that are not split. */
+  leaves: number;
+  /** Intersections of the surface with grid edges. */
+  hits: number;
+  /** Depth of the deepest leaf. */
+  depth: number;
+  /** The grid was built as a `sheet`: results may have a boundary. */
+  sheet: boolean;
+  /** Memory that the grid holds. In bytes. */
+  bytes: number;
+  /**
+   * The tolerance that was asked for, or a wider one where a surface to be repaired would have
+   * taken beyond all measure. For strategies without a tolerance: the one that extraction goes by.
+   * In model units.
+   */
+  tolerance: number;
+  /**
+   * `repair`: winding numbers above this are inside; 0 where the surface is closed and none had to
+   * be asked for.
+   */
+  windingThreshold: number;
+  /**
+   * `adaptive`, `octree`, `feature`: no leaf was given up and no face was guessed; the result of an
+   * embedded input then has its topology. The other strategies do not look: false.
+   */
+  topologyResolved: boolean;
+  /** Leaves given up at the depth limit or below the least size of a cell. */
+  unresolvedLeaves: number;
+  /** Faces between leaves with more than two hits. */
+  ambiguousFaces: number;
+  /** Ambiguous faces that a trace of the input could not decide. */
+  guessedFaces: number;
+  /** Hits of no input face, where holes were closed. */
+  inventedHits: number;
+}
+
+/** How a mesh was made of a grid. */
+export interface ExtractReport {
+  /** Closed walks along the boundary; only sheets have one. */
+  boundaryLoops: number;
+  /** Parts without volume that were left out. */
+  droppedPillows: number;
+  /** Vertices added to keep edges apart. */
+  insertedVertices: number;
+  /** Vertices added for further features of a cell. */
+  splitVertices: number;
+  /** Vertices added between cells and at hits. */
+  linkVertices: number;
+  /** Edges flipped, of triangles that were folded over or thin. */
+  flippedEdges: number;
+  /** `embedded`: hits that got vertices so that nothing crosses. */
+  refinedHits: number;
+  /** Parts left out because of the option `parts`. */
+  droppedParts: number;
+  /** Slivers beside closed holes that were left out. */
+  droppedCrumbs: number;
+  /**
+   * Area of the faces that stand for no input face but close a hole; their source face is
+   * 4294967295. In square model units.
+   */
+  inventedArea: number;
+  /**
+   * `embedded`: pairs of triangles that still cross or touch; 0 unless parts of the surface nearer
+   * to each other than 32 bits tell apart are in each other's way, or sheets cross. Otherwise null:
+   * nobody has looked.
+   */
+  crossings: number | null;
+}
+
+/**
+ * What can be said about a mesh; two faces meet where they use the same vertex numbers. Degenerate
+ * faces are counted and take no part in anything else.
+ */
+export interface MeshReport {
+  /** Positions, also those that no face uses. */
+  vertices: number;
+  /** Faces with three corners. */
+  triangles: number;
+  /** Faces with four corners. */
+  quads: number;
+  /** Positions that no face uses. */
+  unreferencedVertices: number;
+  /** Edges with one face. */
+  boundaryEdges: number;
+  /** Closed rounds of boundary edges; those that touch in a vertex count apart. */
+  boundaryLoops: number;
+  /** Edges with three or more faces. */
+  nonManifoldEdges: number;
+  /** Edges whose two faces run the same way along them. */
+  misorientedEdges: number;
+  /** Vertices whose faces do not form one fan; the ends of non-manifold edges are among them. */
+  nonManifoldVertices: number;
+  /** Faces with a repeated vertex. */
+  degenerateFaces: number;
+  /** Faces over the same vertices as an earlier one. */
+  duplicateFaces: number;
+  /** Parts joined by edges. */
+  components: number;
+  /** Referenced vertices - edges + faces: 2 for a sphere, less 2 for every handle. */
+  eulerCharacteristic: number;
+  /** There is no edge with one face, and at least one face. */
+  closed: boolean;
+  /**
+   * Closed, and every edge and every vertex is that of a surface, consistently oriented; no face is
+   * degenerate or double.
+   */
+  twoManifold: boolean;
+  /** The same, but there may be a boundary, as sheets have. */
+  manifold: boolean;
+  /**
+   * Signed, positive where normals point outwards; means nothing unless the mesh is closed and
+   * oriented. In cubic model units.
+   */
+  volume: number;
+  /** A quad counts as its two triangles at the corners 0 and 2. In square model units. */
+  area: number;
+  /** Bounding box of the referenced vertices. In model units. */
+  bounds: { min: Float64Array; max: Float64Array };
+}
+
+/** The part of a report about the result. */
+export interface OutputReport {
+  /** Positions, also those that no face uses. */
+  vertices: number;
+  /** Faces with three corners. */
+  triangles: number;
+  /** Faces with four corners. */
+  quads: number;
+  /** Parts joined by edges. */
+  components: number;
+  /** Referenced vertices - edges + faces: 2 for a sphere, less 2 for every handle. */
+  eulerCharacteristic: number;
+  /**
+   * Closed, and every edge and every vertex is that of a surface, consistently oriented; no face is
+   * degenerate or double.
+   */
+  twoManifold: boolean;
+  /** The same, but there may be a boundary, as sheets have. */
+  manifold: boolean;
+  /** There is no edge with one face, and at least one face. */
+  closed: boolean;
+  /** Closed walks along the boundary; only sheets have one. */
+  boundaryLoops: number;
+  /**
+   * Signed, positive where normals point outwards; means nothing unless the mesh is closed and
+   * oriented. In cubic model units.
+   */
+  volume: number;
+  /** A quad counts as its two triangles at the corners 0 and 2. In square model units. */
+  area: number;
+  /** Parts without volume that were left out. */
+  droppedPillows: number;
+  /** Vertices added to keep edges apart. */
+  insertedVertices: number;
+  /** Vertices added for further features of a cell. */
+  splitVertices: number;
+  /** Vertices added between cells and at hits. */
+  linkVertices: number;
+  /** Edges flipped, of triangles that were folded over or thin. */
+  flippedEdges: number;
+  /** `embedded`: hits that got vertices so that nothing crosses. */
+  refinedHits: number;
+  /** Parts left out because of the option `parts`. */
+  droppedParts: number;
+  /** Slivers beside closed holes that were left out. */
+  droppedCrumbs: number;
+  /**
+   * Area of the faces that stand for no input face but close a hole; their source face is
+   * 4294967295. In square model units.
+   */
+  inventedArea: number;
+  /**
+   * `embedded`: pairs of triangles that still cross or touch; 0 unless parts of the surface nearer
+   * to each other than 32 bits tell apart are in each other's way, or sheets cross. Otherwise null:
+   * nobody has looked.
+   */
+  crossings: number | null;
+}
+
+/** Faces that cross or touch others where they share no vertex or edge. */
+export interface SelfIntersections {
+  /** Pairs of triangles; a quad counts as its two triangles at the corners 0 and 2. */
+  pairs: number;
+  /** The faces that are part of a pair, ascending: triangles first, then quads. */
+  faces: Uint32Array<ArrayBuffer>;
+}
+
+/** Faces joined by edges, as far as they are not degenerate. */
+export interface MeshPart {
+  /** The lowest of its faces. */
+  firstFace: number;
+  /** Number of its faces. */
+  faces: number;
+  /** Closed rounds of boundary edges. */
+  boundaryLoops: number;
+  /** Every edge is used equally often in both directions: the part bounds something. */
+  closed: boolean;
+  /**
+   * Handles; null where the part is no oriented surface, because it has misoriented edges or edges
+   * with three or more faces. Boundary loops count as if each were closed by a disk.
+   */
+  genus: number | null;
+  /** Area of its faces. In square model units. */
+  area: number;
+  /**
+   * Signed, positive where normals point outwards; 0 for parts that are not closed. In cubic model
+   * units.
+   */
+  volume: number;
+  /**
+   * The smallest (its number in `parts`) of the closed parts that hold this closed part; null if
+   * there is none. Parts that cross each other do not hold one another.
+   */
+  inside: number | null;
+  /** Turned inwards within parts that are turned outwards: a hollow. */
+  cavity: boolean;
+  /** Turned inwards without being a cavity, or within parts that are turned inwards themselves. */
+  insideOut: boolean;
+}
+
+/**
+ * What is wrong with a mesh, with the faces, edges and vertices at fault. Vertices of exactly equal
+ * position count as one: in lists the lowest of them stands for all. Faces are numbered as given,
+ * triangles first, then quads. Faces and vertices ascend; edges, two vertices each, do so by the
+ * lower, then by the higher vertex. Faces with a repeated vertex are in `degenerateFaces` and play
+ * no part in any other list.
+ */
+export interface MeshDefects {
+  /** What `describe` says once vertices of equal position are joined: the counts. */
+  report: MeshReport;
+  /**
+   * There are faces, and every edge is used equally often in both directions. Of other meshes
+   * `buildGrid` makes a solid by `repair` only.
+   */
+  balanced: boolean;
+  /** Edges with one face, two vertices each, in the order in which the face has them. */
+  boundaryEdges: Uint32Array<ArrayBuffer>;
+  /**
+   * The vertices of each closed round of boundary edges, in the direction of the faces where these
+   * agree. Boundary edges that form none (they end on non-manifold edges) are left out.
+   */
+  boundaryLoops: Uint32Array<ArrayBuffer>[];
+  /** Edges with three or more faces, two vertices each, the lower one first. */
+  nonManifoldEdges: Uint32Array<ArrayBuffer>;
+  /** Edges whose two faces run the same way along them, two vertices each, the lower one first. */
+  misorientedEdges: Uint32Array<ArrayBuffer>;
+  /** Vertices whose faces do not form one fan. */
+  nonManifoldVertices: Uint32Array<ArrayBuffer>;
+  /** Faces with a repeated vertex. */
+  degenerateFaces: Uint32Array<ArrayBuffer>;
+  /** Faces of different vertices that lie exactly on one line. */
+  zeroAreaFaces: Uint32Array<ArrayBuffer>;
+  /** Faces over the same vertices as a face before. */
+  duplicateFaces: Uint32Array<ArrayBuffer>;
+  /**
+   * Faces turned against their neighbours, or with their whole part inwards, as far as volume and
+   * what can be seen from outside tell: those that the inside rule `repair` turns.
+   */
+  flippedFaces: Uint32Array<ArrayBuffer>;
+  /**
+   * Only if asked for: pairs of triangles that cross, touch or lie on each other in that way; a
+   * quad counts as its two triangles at the corners 0 and 2.
+   */
+  selfIntersections: number;
+  /**
+   * Only if asked for: faces that cross or touch others where they share no vertex or edge, and
+   * faces that lie on each other.
+   */
+  selfIntersectingFaces: Uint32Array<ArrayBuffer>;
+  /** One entry a face: its number in `parts`; 4294967295 for degenerate faces. */
+  partOf: Uint32Array<ArrayBuffer>;
+  /** The parts, in order of their first faces. */
+  parts: MeshPart[];
+  /**
+   * False: thousands of closed parts overlap, so that nobody has looked which lie in which;
+   * `inside` is then null, `cavity` and `insideOut` false for all.
+   */
+  nestingKnown: boolean;
+}
+
+/** @internal In order. */
+export const outputKeys = [
+  'vertices',
+  'triangles',
+  'quads',
+  'components',
+  'eulerCharacteristic',
+  'twoManifold',
+  'manifold',
+  'closed',
+  'boundaryLoops',
+  'volume',
+  'area',
+  'droppedPillows',
+  'insertedVertices',
+  'splitVertices',
+  'linkVertices',
+  'flippedEdges',
+  'refinedHits',
+  'droppedParts',
+  'droppedCrumbs',
+  'inventedArea',
+  'crossings',
+] as const;
+
+/** @internal What --check looks for. */
+export const checkKeys = [
+  'twoManifold',
+  'manifold',
+  'closed',
+  'boundaryEdges',
+  'nonManifoldEdges',
+  'misorientedEdges',
+  'nonManifoldVertices',
+  'degenerateFaces',
+  'duplicateFaces',
+] as const;
+
+/** @internal What --stats counts. */
+export const defectKeys = [
+  'boundaryEdges',
+  'boundaryLoops',
+  'nonManifoldEdges',
+  'misorientedEdges',
+  'nonManifoldVertices',
+  'degenerateFaces',
+  'zeroAreaFaces',
+  'duplicateFaces',
+  'flippedFaces',
+  'selfIntersections',
+  'selfIntersectingFaces',
+  'openParts',
+  'insideOutParts',
+  'cavities',
+  'genus',
+  'area',
+  'volume',
+  'nestingKnown',
+] as const;
+
+/** @internal The fields of `MeshPart` in order, and their types. */
+export const partKeys = [
+  ['firstFace', 'integer'],
+  ['faces', 'integer'],
+  ['boundaryLoops', 'integer'],
+  ['closed', 'boolean'],
+  ['genus', 'integer or null'],
+  ['area', 'number'],
+  ['volume', 'number'],
+  ['inside', 'integer or null'],
+  ['cavity', 'boolean'],
+  ['insideOut', 'boolean'],
+] as const;
