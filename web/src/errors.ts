@@ -5,7 +5,8 @@
  * What went wrong:
  * - `INVALID_MESH`: an array is unusable; the message names it, the index and the value
  * - `INVALID_OPTION`: an option is unknown or out of its range
- * - `NOT_CLOSED`: the input is open or inconsistently oriented
+ * - `NOT_CLOSED`: the input encloses nothing, has a hole wider than `largestHole`, or is open or
+ *   inconsistently oriented where the inside rule wants it closed
  * - `PARSE_ERROR`: a file's content is malformed; the message names line, byte or rule
  * - `IO_ERROR`: a file cannot be read or written, or its extension is unknown
  * - `OUT_OF_MEMORY`: the 4 GB that WebAssembly has, or what the machine gives, were not enough

@@ -48,7 +48,10 @@ export class Grid {
     return this.#demand().stats();
   }
 
-  /** The surface: closed, oriented outwards, 2-manifold. The grid stays as it is. */
+  /**
+   * Makes the surface of the grid: closed, oriented outwards, 2-manifold. Of a `sheet` it is a 2-manifold
+   * with boundary, turned as the input is. The grid stays as it is.
+   */
   extract(options: ExtractOptions & ProgressOptions = {}): ExtractedMesh {
     const raw = this.#demand();
     const checked = checkExtractOptions(options, ['onProgress']);
@@ -56,7 +59,7 @@ export class Grid {
   }
 
   /**
-   * The grid as bytes, for `KdManifold.loadGrid`: build once, extract many times. The same grid gives
+   * Makes bytes of the grid, for `KdManifold.loadGrid`: build once, extract many times. The same grid gives
    * the same bytes everywhere; they take less than half of the memory that the grid holds.
    */
   save(): Uint8Array<ArrayBuffer> {

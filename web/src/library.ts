@@ -26,7 +26,7 @@ import type {
 
 const formats: readonly string[] = ['obj', 'stl', 'ply', 'off'] satisfies MeshFormat[];
 
-/** The format that a file name's extension stands for (any case); throws `IO_ERROR` for others. */
+/** Returns the format that a file name's extension stands for (any case); throws `IO_ERROR` for others. */
 export function formatFromPath(path: string): MeshFormat {
   const extension = /\.([^./\\]+)$/.exec(path)?.[1]?.toLowerCase() ?? '';
   if (formats.includes(extension)) return extension as MeshFormat;
@@ -36,7 +36,7 @@ export function formatFromPath(path: string): MeshFormat {
   );
 }
 
-/** Is this the name of a saved grid? They end in `.kdgrid` (any case). */
+/** Says whether this is the name of a saved grid: it ends in `.kdgrid` (any case). */
 export function namesAGrid(path: string): boolean {
   return /\.kdgrid$/i.test(path);
 }
@@ -68,7 +68,11 @@ export class KdManifold {
     return this.#raw.version();
   }
 
-  /** Builds the grid of a closed, consistently oriented mesh; shells may overlap and nest. */
+  /**
+   * Builds the grid of a mesh, whose shells may overlap, nest and intersect. With the default inside rule,
+   * `repair`, the mesh may be open and its faces may disagree; `sheet` and `thicken` take any surface. The
+   * other rules refuse meshes that are not closed and consistently oriented (`NOT_CLOSED`).
+   */
   buildGrid(mesh: MeshInput, options: BuildOptions & ProgressOptions = {}): Grid {
     const checked = checkBuildOptions(options, ['onProgress']);
     const input = checkMesh(mesh);
@@ -79,7 +83,7 @@ export class KdManifold {
   }
 
   /**
-   * The grid that `Grid.save` or the command line's `--save-grid` made. All of it is checked: bytes
+   * Loads the grid that `Grid.save` or the command line's `--save-grid` made. All of it is checked: bytes
    * that are cut off, damaged or made up are refused (`PARSE_ERROR`); `name` is what error messages
    * call them.
    */
@@ -100,7 +104,7 @@ export class KdManifold {
   }
 
   /**
-   * A closed shell around a surface, half of `thickness` (model units, above 0) to either side: what an
+   * Makes a closed shell around a surface, half of `thickness` (model units, above 0) to either side: what an
    * open surface needs to be printed. Its parts may overlap; `buildGrid` makes their union, and with
    * the option `thicken` does both.
    */
@@ -115,7 +119,7 @@ export class KdManifold {
     return call(this.#health, undefined, () => this.#raw.thicken(input, thickness));
   }
 
-  /** Counts what there is to be counted: parts, open edges, whether the mesh is 2-manifold. */
+  /** Counts vertices, faces, parts and faulty edges, and says whether the mesh is 2-manifold. */
   describe(mesh: PolygonMeshInput): MeshReport {
     const input = checkPolygonMesh(mesh);
     return call(this.#health, undefined, () => this.#raw.describe(input));
@@ -140,7 +144,7 @@ export class KdManifold {
   }
 
   /**
-   * The content of a file with the mesh (STL and PLY binary). Positions are 32-bit numbers; in text (OBJ, OFF)
+   * Makes the content of a file with the mesh (STL and PLY binary). Positions are 32-bit numbers; in text (OBJ, OFF)
    * the shortest that read back as the same, or, if `exact`, those that do so in 64 bits too: for programs that
    * must not see the surface moved, as by `strict: 'embedded'`.
    */

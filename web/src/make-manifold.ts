@@ -26,10 +26,12 @@ export interface MakeManifoldOptions
 const own = ['onProgress', 'signal', 'transfer', 'wasmBinary', 'wasmUrl'];
 
 /**
- * Makes a closed, oriented 2-manifold mesh from a closed, oriented one whose shells may overlap,
- * nest and intersect. Works in a worker (in Node: a worker thread), so the calling thread stays
- * free; conversions are done one after the other. Where workers are not to be had it works on the
- * calling thread.
+ * Makes a closed, oriented 2-manifold mesh of a mesh in whatever state: shells may overlap, nest and
+ * intersect; with the default inside rule, `repair`, holes are closed and faces that are turned the
+ * wrong way are turned back. (With `inside: 'sheet'` the result may have a boundary.) Works in a
+ * worker (in Node: a worker thread), so that the calling thread stays free, one conversion after the
+ * other; where there are no workers, on the calling thread. Rejects with `NOT_CLOSED` what encloses
+ * nothing.
  */
 export async function makeManifold(
   mesh: MeshInput,
@@ -62,8 +64,8 @@ function refuse(name: string, expected: string): never {
   throw new KdManifoldError('INVALID_OPTION', `${name}: expected ${expected}`);
 }
 
-// Arrays that the worker may have: copies, so that the caller may go on changing what is his, or
-// his own. Only the part in view is sent, not the whole of a large buffer behind it.
+// Makes arrays that the worker may have: copies, so that the caller may go on changing the originals,
+// or, with `transfer`, the originals. Of a large buffer only the part in view is sent.
 function separate(mesh: MeshInput, transfer: boolean): MeshInput {
   const copy = <T extends Float32Array | Float64Array | Uint16Array | Uint32Array>(array: T): T => {
     const whole = array.byteLength === array.buffer.byteLength && isTransferable(array.buffer);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// kd-tree grid -> 2-manifold mesh (paper sections 2 and 3.3).
+// Extracts a 2-manifold mesh from a kd-tree grid (paper sections 2 and 3.3).
 #pragma once
 
 #include <optional>
@@ -12,73 +12,81 @@ namespace kdm {
 
 /// What the result must be as an index mesh.
 enum class Strict {
-  kOff,       ///< the raw dual surface, whose half-edges are manifold but not its vertex numbers
-  kManifold,  ///< 2-manifold: vertices keep edges apart that two parts of the surface would share,
-              ///< parts without volume are dropped
-  /// The same, and no two triangles cross or touch but where they share vertices, none is without
-  /// area. Coordinates are rounded to 32 bits and it holds for these. Not with `quads`.
-  kEmbedded
+  kOff,  ///< the raw dual surface: its half-edges are manifold, but edges and vertices of different
+         ///< parts may share numbers
+  kManifold,  ///< 2-manifold: vertices are added where two parts of the surface would share an
+              ///< edge, parts without volume are dropped
+  kEmbedded   ///< the same, and no two triangles cross or touch but where they share vertices, and
+              ///< none is without area. Holds for the coordinates rounded to 32 bits, which the
+              ///< result has. Not with `quads`
 };
 
-/// Where a vertex goes if the best place for it lies outside of its leaf (paper 2.2.1).
+/// Where a vertex goes if the best place for it lies outside of its leaf. The best place is where
+/// the sum of squared distances to the planes of its hits is least (paper 2.2.1).
 enum class VertexPosition {
-  kConstrained,  ///< where the squared distances to its planes are least within the leaf (default)
+  kConstrained,  ///< to the best place within the leaf
   kProjection    ///< to the point of the leaf that is nearest to the best place
 };
 
-/// Which parts of the result are kept.
+/// Which parts of the result are kept. In any case crumbs go: parts thinner than the tolerance
+/// beside holes that were closed.
 enum class Parts {
-  kAll,     ///< all but crumbs: slivers thinner than the tolerance beside holes that were closed
-  kOuter,   ///< only those that lie in no other: no cavities, and nothing within cavities
-  kLargest  ///< only the one that encloses most, without its cavities
+  kAll,     ///< all
+  kOuter,   ///< only parts that lie in no other: no cavities, and nothing within cavities
+  kLargest  ///< only the part that encloses most, without its cavities
 };
 
+/// What `extract` can be told. Each default serves; `options.h` describes the same members for
+/// programs.
 struct ExtractOptions {
-  /// Join the two triangles of an edge where four leaves meet to one quad (all of them on a
+  /// Joins the two triangles of an edge where four leaves meet to one quad (all of them on a
   /// uniform grid). Quads need not be planar.
   bool quads = false;
-  /// Split vertices that lie further than this from a plane they stand for, in model units, so that
-  /// a leaf can hold several features (paper 2.3.1). Not negative; more than the model's size:
-  /// never. 0: where they are further off than the grid's tolerance and 0.3 times the way to the
-  /// furthest of their hits, but never with `quads`.
+  /// Splits vertices that lie further than this from a plane they stand for, in model units, so
+  /// that a leaf can hold several features (paper 2.3.1). Not negative; more than the model's size,
+  /// infinity included, splits none. 0 splits vertices that are further off than the grid's
+  /// tolerance and 0.3 times the distance to the furthest of their hits, but none with `quads`.
   double split_error = 0;
-  /// How vertices are kept within their leaves.
+  /// Where vertices go whose best place lies outside of their leaf.
   VertexPosition position = VertexPosition::kConstrained;
-  /// Flip edges of triangles that are folded over their neighbours, where that lays them flat, and
-  /// of thin ones (an angle below two degrees), where that makes their smallest angle twice as
-  /// wide. Takes away most self-intersections and most thin triangles. Not with `quads`.
+  /// Flips edges of triangles that are folded over their neighbours, where that lays them flat, and
+  /// of thin triangles (with an angle below two degrees), where that makes their smallest angle
+  /// twice as wide. Takes away most self-intersections and most thin triangles. Not with `quads`.
   bool unfold = true;
-  /// Put a vertex where an edge passes from one leaf to another further from the surface than
-  /// this, in model units. Not negative; more than the model's size: never. 0: the grid's
-  /// tolerance. Not with `quads`.
+  /// Puts a vertex where an edge passes from one leaf to another further from the surface than
+  /// this, in model units. Not negative; more than the model's size, infinity included, puts none.
+  /// 0 stands for the grid's tolerance. Not with `quads`.
   double link_error = 0;
+  /// What the result must be as an index mesh.
   Strict strict = Strict::kManifold;
-  /// Leave parts out. Not of sheets.
+  /// Which parts of the result are kept. Sheets keep all.
   Parts parts = Parts::kAll;
-  /// Give every corner of the faces a normal for shading, from the input's normals at the hits. The
-  /// mesh stays what it is: vertices on a crease are not doubled.
+  /// Gives every corner of the faces a normal for shading, from the input's normals at the hits.
+  /// The mesh itself stays the same: vertices on a crease are not doubled.
   bool normals = false;
-  /// Where the normals of neighbouring faces turn by more than this there is a crease and their
-  /// corners keep different normals; degrees, 0 (all but flat parts) to 180 (no crease at all).
-  /// With `normals` only.
+  /// With `normals`: where the normals of neighbouring faces turn by more than this there is a
+  /// crease, and their corners keep different normals. Degrees, from 0 (creases everywhere but in
+  /// flat parts) to 180 (no crease at all).
   double crease_angle = 30;
 };
 
+/// How the mesh was made.
 struct ExtractReport {
   Index dropped_pillows = 0;    ///< parts without volume that were left out
   Index inserted_vertices = 0;  ///< vertices added to keep edges apart
   Index split_vertices = 0;     ///< vertices added for further features of a leaf
   Index link_vertices = 0;      ///< vertices added between leaves and at hits
-  Index flipped_edges = 0;      ///< of triangles that were folded over or thin
+  Index flipped_edges = 0;      ///< edges flipped, of triangles that were folded over or thin
   Index refined_hits = 0;       ///< `kEmbedded`: hits that got vertices so that nothing crosses
   /// With `kEmbedded` the number of pairs of triangles that still cross or touch: 0, unless parts
   /// are nearer to each other than 32 bits tell apart, or sheets cross. Otherwise empty, because
   /// crossing pairs are not searched for.
   std::optional<std::uint64_t> crossings;
-  Index dropped_parts = 0;   ///< left out as `parts` asks
-  Index dropped_crumbs = 0;  ///< slivers beside closed holes that were left out
-  double invented_area = 0;  ///< of the faces that are of no input face but close it; their entry
-                             ///< of `source_faces` is kNone
+  Index dropped_parts = 0;   ///< parts left out because of the option `parts`
+  Index dropped_crumbs = 0;  ///< parts thinner than the tolerance, beside closed holes, left out
+  /// Area, in square model units, of the faces that stand for no input face but close a hole. Their
+  /// entry in `source_faces` is kNone.
+  double invented_area = 0;
   Index boundary_loops = 0;  ///< closed walks along the boundary; only sheets have one
 };
 
@@ -87,9 +95,11 @@ struct ExtractedMesh : Mesh {
   ExtractReport report;
 };
 
-/// The surface of the grid: closed, oriented outwards, 2-manifold. Of a sheet: a 2-manifold with
-/// boundary, turned as the input is. Linear in the hits. Throws `kNotClosed` if nothing comes out
-/// of an input that had to be repaired, `kInvalidOption`, `kAborted`.
+/// Makes the surface of the grid, which stays as it is. The result is closed, oriented outwards and
+/// 2-manifold (unless `strict` is `kOff`); of a sheet it is a 2-manifold with boundary, turned as
+/// the input is. The time grows linearly with the hits. Throws `kInvalidOption` (see
+/// `check_options`), `kNotClosed` if nothing is left of an input that had to be repaired,
+/// `kAborted` and `kOutOfMemory`.
 ExtractedMesh extract(const Grid& grid, const ExtractOptions& options = {},
                       const Progress& progress = {});
 

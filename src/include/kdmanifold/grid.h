@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The kd-tree grid: the volumetric representation that everything works on (paper section 3).
+// The kd-tree grid: cells that are split along planes x, y or z = constant, and the hits of the
+// surface with the edges of the cells (paper section 3). Everything works on it.
 #pragma once
 
 #include <memory>
@@ -12,46 +13,52 @@ struct GridData;
 
 /// What the grid was built from.
 struct InputReport {
-  Index vertices = 0;  ///< after welding vertices of exactly equal position
-  Index triangles = 0;
-  bool closed = false;  ///< every edge is used equally often in both directions
-  Index boundary_edges = 0;
-  Index boundary_loops = 0;  ///< of the edges at which the surface ends: those with one face, and
-                             ///< faces that find none at their edge that runs against them
-                             ///< (`kRepair`: once it is sewn and turned)
+  Index vertices = 0;        ///< after joining vertices of exactly equal position
+  Index triangles = 0;       ///< number of the input's triangles
+  bool closed = false;       ///< every edge is used equally often in both directions
+  Index boundary_edges = 0;  ///< edges with one face
+  /// Closed rounds of the edges at which the surface ends: edges with one face, and edges of faces
+  /// without a neighbour that runs against them. `kRepair`: counted once the surface is sewn and
+  /// turned.
+  Index boundary_loops = 0;
   Index non_manifold_edges = 0;  ///< edges with three or more faces
-  Index degenerate_faces = 0;    ///< faces without area on the lattice; they take no part
-  Index cancelled_faces = 0;     ///< faces that lie back to back in pairs; they take no part
-  Index duplicate_faces = 0;     ///< `kRepair`: further faces over the same corners; they take no
-                                 ///< part
-  Index sewn_edges = 0;          ///< `kRepair`: pairs of boundary edges, no further apart than the
-                                 ///< tolerance, that were joined
-  Index turned_faces = 0;        ///< `kRepair`: faces that were turned to agree and look outwards
-  Index components = 0;          ///< parts joined by edges
-  bool flipped = false;          ///< the input was inside out and has been turned
-  double lattice_step = 0;  ///< what input positions were rounded to for decisions, model units
+  /// Faces without area once positions are rounded to the lattice; they take no part.
+  Index degenerate_faces = 0;
+  Index cancelled_faces = 0;  ///< faces that lie back to back in pairs; they take no part
+  Index duplicate_faces = 0;  ///< `kRepair`: further faces over the same corners; they take no part
+  Index sewn_edges = 0;       ///< `kRepair`: pairs of boundary edges, no further apart than the
+                              ///< tolerance, that were joined
+  /// `kRepair`: faces that were turned to agree with their neighbours and look outwards.
+  Index turned_faces = 0;
+  Index components = 0;  ///< parts joined by edges
+  bool flipped = false;  ///< the input was inside out and has been turned
+  /// Step of the lattice to which positions were rounded for decisions, in model units.
+  double lattice_step = 0;
 };
 
+/// How large a grid is, and how its construction went.
 struct GridStats {
-  Index cells = 0;  ///< nodes of the kd-tree
-  Index leaves = 0;
+  Index cells = 0;        ///< nodes of the kd-tree
+  Index leaves = 0;       ///< cells that are not split
   Index hits = 0;         ///< intersections of the surface with grid edges
-  int depth = 0;          ///< of the deepest leaf
-  bool sheet = false;     ///< built as a sheet: results may have a boundary
+  int depth = 0;          ///< depth of the deepest leaf; the root has 0
+  bool sheet = false;     ///< built by the inside rule `kSheet`: results may have a boundary
   std::size_t bytes = 0;  ///< memory held by the grid
-  /// In model units: what was asked for, or more where a surface to be repaired would have taken
-  /// beyond all measure. Of strategies that ask for none, what extraction goes by.
+  /// In model units: the tolerance that was asked for, or a wider one where a surface to be
+  /// repaired would have taken beyond all measure. For strategies without a tolerance: the one that
+  /// extraction goes by.
   double tolerance = 0;
-  /// `kRepair`: winding numbers above it are inside; 0 where the surface is closed and none had to
-  /// be asked for.
+  /// `kRepair`: winding numbers above this are inside; 0 where the surface is closed and none had
+  /// to be asked for.
   double winding_threshold = 0;
-  /// Adaptive, octree: no leaf was given up, every ambiguous face was traced; the output of an
-  /// embedded input is then homeomorphic to it. Other strategies do not look: false.
+  /// `kAdaptive`, `kOctree`, `kFeature`: no leaf was given up, and every ambiguous face was traced;
+  /// the result of an embedded input is then homeomorphic to it. Other strategies do not look:
+  /// false.
   bool topology_resolved = false;
-  Index unresolved_leaves = 0;  ///< leaves given up at the depth limit or below the size floor
+  Index unresolved_leaves = 0;  ///< leaves given up at the depth limit or the least size
   Index ambiguous_faces = 0;    ///< minimal faces with more than two hits
   Index invented_hits = 0;      ///< hits of no input face, where holes were closed
-  Index guessed_faces = 0;      ///< of these, the ones a trace of the input could not decide
+  Index guessed_faces = 0;      ///< ambiguous faces that a trace of the input could not decide
 };
 
 /// A kd-tree grid with its hits and links. Movable and copyable; a moved-from grid is empty.
@@ -65,10 +72,12 @@ class Grid {
   Grid& operator=(Grid&&) noexcept;
   ~Grid();
 
+  /// Returns how large the grid is.
   const GridStats& stats() const;
+  /// Returns what the grid was built from.
   const InputReport& input() const;
 
-  /// For the library's own algorithms; not part of the interface.
+  /// Returns the representation, for the library's own algorithms; not part of the interface.
   const GridData& data() const;
 
  private:

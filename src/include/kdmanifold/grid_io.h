@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Saving grids, so that one is built once and extracted from many times.
+// Saves and loads grids, so that one is built once and extracted from many times.
 #pragma once
 
 #include <cstdint>
@@ -12,27 +12,27 @@
 
 namespace kdm {
 
-/// The grid with its hits, planes, links, rims, corners and reports, in a format of this library's
-/// own (described in src/grid/grid_format.h): 17 to 27 bytes a hit, up to 35 of sheets with much
-/// rim; less than half of the grid's memory. The same grid gives the same bytes on every platform.
-/// Linear in the grid. Throws `kOutOfMemory`.
+/// Saves the grid with its hits, planes, links, rims, corners and reports, in a format of this
+/// library's own (described in src/grid/saved/grid_format.h): 17 to 27 bytes a hit, up to 35 for
+/// sheets with much rim; less than half of the grid's memory. The same grid gives the same bytes on
+/// every platform. The time grows linearly with the grid. Throws `kOutOfMemory`.
 std::vector<std::uint8_t> save_grid(const Grid& grid);
 
-/// The grid back: what is extracted from it is the same to the last bit, and saving it again gives
-/// the same bytes. Linear in the bytes, in time and in memory. Everything is checked: bytes that
-/// are cut off, damaged or made up give `kParseError`, with the byte or the broken rule, as does a
-/// version this library does not know; `name` is what messages call the source. Throws
+/// Loads a saved grid. What is extracted from it is the same to the last bit, and saving it again
+/// gives the same bytes. Time and memory grow linearly with the bytes. Everything is checked: bytes
+/// that are cut off, damaged or made up give `kParseError`, with the byte or the broken rule, as
+/// does a version that this library does not know; `name` is what messages call the source. Throws
 /// `kOutOfMemory`.
 Grid load_grid(std::span<const std::uint8_t> bytes, std::string_view name = "grid");
 
-/// Does the file's name end in `.kdgrid` (any case), as the names of saved grids do?
+/// Says whether the file's name ends in `.kdgrid` (any case), as the names of saved grids do.
 bool names_a_grid(std::string_view path);
 
-/// Saves into a file, which appears complete or not at all. Throws `kIoError`, also if its name
-/// does not end in `.kdgrid`, and `kOutOfMemory`.
+/// Saves the grid into a file, which appears complete or not at all. Throws `kIoError`, also if its
+/// name does not end in `.kdgrid`, and `kOutOfMemory`.
 void write_grid(const std::string& path, const Grid& grid);
 
-/// Loads from a file. Throws `kIoError` if it cannot be read, else as `load_grid` does.
+/// Loads a grid from a file. Throws `kIoError` if it cannot be read, else as `load_grid` does.
 Grid read_grid(const std::string& path);
 
 }  // namespace kdm

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Everything. A mesh goes through read_mesh, build_grid and extract to write_mesh.
+// Includes the whole public interface but the tables for programs (options.h, reports.h). A mesh
+// goes through read_mesh, build_grid and extract to write_mesh.
 #pragma once
 
 #include "kdmanifold/analyze.h"

@@ -10,12 +10,13 @@ namespace kdm {
 
 /// Triangles (and, from `extract` with `quads`, quads) over shared vertex positions.
 struct Mesh {
-  std::vector<Vec3> positions;
-  std::vector<Triangle> triangles;
-  std::vector<Quad> quads;
-  /// Where each face comes from: one entry a triangle, then one a quad, or empty.
-  /// `read_mesh`: the file's face (from 0) that the triangle was cut from.
-  /// `extract`: the same of the input triangle, or that triangle's own number if it had none.
+  std::vector<Vec3> positions;      ///< of the vertices, in model units
+  std::vector<Triangle> triangles;  ///< three vertices each
+  std::vector<Quad> quads;          ///< four vertices each
+  /// Where each face comes from: one entry a triangle, then one a quad, or empty. After
+  /// `read_mesh`: the file's face (from 0) that the triangle was cut from. After `extract`: the
+  /// entry of the input triangle that the face stands for, or, if the input had no such list, the
+  /// number of that triangle; kNone for faces that close a hole.
   std::vector<Index> source_faces;
   /// Unit normals for shading, or empty: three a triangle in the order of its corners, then four a
   /// quad. `extract` makes them on request; of the file formats, OBJ keeps them.
@@ -23,16 +24,16 @@ struct Mesh {
 };
 
 /// Counts over the mesh as an index mesh: two faces meet where they use the same vertex numbers.
-/// Degenerate faces are counted and take no part in edges, fans, duplicates, components and
-/// the Euler characteristic.
+/// Degenerate faces are counted and take no part in edges, fans, duplicates, components and the
+/// Euler characteristic.
 struct MeshReport {
-  Index vertices = 0;  ///< positions, also unreferenced ones
-  Index triangles = 0;
-  Index quads = 0;
-  Index unreferenced_vertices = 0;
-  Index boundary_edges = 0;               ///< edges with one face
-  Index boundary_loops = 0;               ///< closed rounds of boundary edges; those that touch in
-                                          ///< a vertex count apart
+  Index vertices = 0;               ///< positions, also unreferenced ones
+  Index triangles = 0;              ///< faces with three corners
+  Index quads = 0;                  ///< faces with four corners
+  Index unreferenced_vertices = 0;  ///< positions that no face uses
+  Index boundary_edges = 0;         ///< edges with one face
+  /// Closed rounds of boundary edges; those that touch in a vertex count apart.
+  Index boundary_loops = 0;
   Index non_manifold_edges = 0;           ///< edges with three or more faces
   Index misoriented_edges = 0;            ///< edges whose two faces run the same way along it
   Index non_manifold_vertices = 0;        ///< vertices whose faces do not form one fan; the ends of
@@ -43,26 +44,29 @@ struct MeshReport {
   std::int64_t euler_characteristic = 0;  ///< referenced vertices - edges + faces
   bool closed = false;                    ///< no edge with one face, and at least one face
   bool two_manifold = false;              ///< closed, and none of the faults above
-  bool manifold = false;                  ///< the same, but there may be a boundary
-  double volume = 0;  ///< signed, positive where normals point outwards; means nothing
-                      ///< unless the mesh is closed and oriented
-  double area = 0;    ///< a quad counts as its two triangles at the corners 0 and 2
-  Box bounds;         ///< of the referenced vertices
+  /// At least one face, and none of the faults above but that there may be a boundary.
+  bool manifold = false;
+  double volume = 0;  ///< cubic model units, signed: positive where normals point outwards; means
+                      ///< nothing unless the mesh is closed and oriented
+  /// Square model units; a quad counts as its two triangles at the corners 0 and 2.
+  double area = 0;
+  Box bounds;  ///< bounding box of the referenced vertices, in model units
 };
 
-/// Counts everything above. Linear in the faces up to sorting. Throws `kInvalidMesh` if a face
-/// names a vertex that does not exist.
+/// Counts what `MeshReport` holds. The time grows linearly with the faces, up to sorting. Throws
+/// `kInvalidMesh` if a face names a vertex that does not exist.
 MeshReport describe(const Mesh& mesh);
 
 /// Faces that cross or touch others where they share no vertex or edge.
 struct SelfIntersections {
-  std::uint64_t pairs = 0;   ///< of triangles; a quad counts as its two at the corners 0 and 2
-  std::vector<Index> faces;  ///< that are part of one, ascending: triangles first, then quads
+  /// Pairs of triangles; a quad counts as its two triangles at the corners 0 and 2.
+  std::uint64_t pairs = 0;
+  std::vector<Index> faces;  ///< part of a pair; ascending, triangles first, then quads
 };
 
-/// Finds them exactly, for the coordinates as they are. Faces without area take no part. n log n
-/// in the faces unless many overlap; of those over the same vertices, only one is looked at. Throws
-/// `kInvalidMesh` if a face names a vertex that does not exist.
+/// Finds all self-intersections, exactly, for the coordinates as they are. Faces without area take
+/// no part; of several faces over the same vertices, only one is looked at. Takes n log n in the
+/// faces unless many overlap. Throws `kInvalidMesh` if a face names a vertex that does not exist.
 SelfIntersections find_self_intersections(const Mesh& mesh);
 
 }  // namespace kdm

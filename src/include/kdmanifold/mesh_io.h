@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reading and writing OBJ, STL, PLY and OFF.
+// Reads and writes OBJ, STL, PLY and OFF.
 #pragma once
 
 #include <string>
@@ -16,7 +16,8 @@ enum class MeshFormat {
   kOff   ///< OFF in text, also with colours or normals
 };
 
-/// The format that a file name's extension stands for (any case). Throws `kIoError` for others.
+/// Returns the format that a file name's extension stands for (any case). Throws `kIoError` for
+/// others.
 MeshFormat format_from_path(std::string_view path);
 
 /// Reads a mesh from a file. Polygons are cut into triangles over their own corners, concave ones
@@ -28,14 +29,14 @@ MeshFormat format_from_path(std::string_view path);
 /// early), and `kOutOfMemory`.
 Mesh read_mesh(const std::string& path);
 
-/// The same from memory; `name` is what error messages call the source.
+/// Reads a mesh from the content of a file, as `read_mesh` does; `name` is what messages call it.
 Mesh parse_mesh(std::string_view bytes, MeshFormat format, std::string_view name = "input");
 
 /// How the 32-bit coordinates are written in text (OBJ, OFF).
 enum class Digits {
-  kShortest,  ///< what reads back as the same 32-bit number
-  kExact      ///< what reads back as the same number in 64 bits too: for programs that read 64 bits
-              ///< and must not see the surface moved, as by `Strict::kEmbedded`
+  kShortest,  ///< as few digits as read back as the same 32-bit number
+  kExact  ///< as many digits as read back as the same number in 64 bits too: for programs that read
+          ///< 64 bits and must not see the surface moved, as after `Strict::kEmbedded`
 };
 
 /// Writes a mesh; the extension decides the format. Positions are written as 32-bit floats; the
@@ -45,7 +46,7 @@ enum class Digits {
 /// names a vertex that does not exist.
 void write_mesh(const std::string& path, const Mesh& mesh, Digits digits = Digits::kShortest);
 
-/// The same into memory.
+/// Writes a mesh into memory, as `write_mesh` does into a file.
 std::string format_mesh(const Mesh& mesh, MeshFormat format, Digits digits = Digits::kShortest);
 
 }  // namespace kdm

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How long calls report and can be stopped.
+// How calls that take long report what is done, and how they are stopped.
 #pragma once
 
 #include <functional>

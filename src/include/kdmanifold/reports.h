@@ -208,7 +208,8 @@ void for_each_field(const MeshPart& part, Visit&& visit) {
         part.volume);
   visit(ReportField{"inside",
                     "The smallest (its number in `parts`) of the closed parts that hold this "
-                    "closed part; null if there is none. Parts that cross each other do not hold one another"},
+                    "closed part; null if there is none. Parts that cross each other do not hold "
+                    "one another"},
         OrNone{part.inside});
   visit(ReportField{"cavity", "Turned inwards within parts that are turned outwards: a hollow"},
         part.cavity);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Surfaces that bound nothing -> shells of some thickness.
+// Makes shells of some thickness of surfaces that bound nothing.
 #pragma once
 
 #include "kdmanifold/mesh.h"
 
 namespace kdm {
 
-/// A closed shell around a surface, half the thickness to either side: what an open surface needs
-/// to be printed or built as a solid. Which way the input is turned does not matter.
+/// Makes a closed shell around a surface, half of the thickness to either side: what an open
+/// surface needs to be printed or built as a solid. Which way the input is turned does not matter.
 ///
 /// Each piece of the surface gets a copy on either side, its vertices moved along normals weighted
 /// by angle (further at creases, so that the sides' planes are `thickness` apart, up to twice as
@@ -22,8 +22,8 @@ namespace kdm {
 /// `source_faces` says) that each triangle was made from.
 ///
 /// `thickness`: model units, finite and above 0 (else `kInvalidOption`). Throws `kInvalidMesh` if
-/// an index is out of range, a coordinate not finite or beyond 1e150, or no face has an area.
-/// Linear in the faces.
+/// an index is out of range, a coordinate not finite or beyond 1e150, or no face has an area. The
+/// time grows linearly with the faces.
 Mesh thicken(const Mesh& mesh, double thickness);
 
 }  // namespace kdm

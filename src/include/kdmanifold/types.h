@@ -8,7 +8,8 @@
 
 namespace kdm {
 
-/// Number of a vertex, face, cell, hit: everything refers to everything else by index.
+/// Number of a vertex, face, cell or hit, counted from 0, or how many of these there are:
+/// everything refers to everything else by number.
 using Index = std::uint32_t;
 
 /// "No such thing", wherever an Index may be missing.
@@ -17,7 +18,7 @@ inline constexpr Index kNone = 0xffffffffu;
 /// A point or direction, in the model's own units.
 using Vec3 = Eigen::Vector3d;
 
-/// Vertex indices of a face, counter-clockwise seen from outside.
+/// The vertices of a face, counter-clockwise seen from outside.
 using Triangle = std::array<Index, 3>;
 using Quad = std::array<Index, 4>;
 
