@@ -34,7 +34,7 @@ void copy_in(const val& array, std::size_t count, T* to) {
   if (count > 0) val(typed_memory_view(count, to)).call<void>("set", array);
 }
 
-/// A fresh typed array of class `type` with a copy of the numbers; 64-bit positions become 32-bit
+/// Makes a typed array of class `type` with a copy of the numbers; 64-bit positions become 32-bit
 /// on the way if the class says so.
 template <typename T>
 val copy_out(const char* type, std::size_t count, const T* from) {
@@ -45,8 +45,8 @@ inline std::size_t length(const val& array) { return array["length"].as<std::siz
 
 inline bool present(const val& value) { return !value.isUndefined() && !value.isNull(); }
 
-/// {positions, indices?, quads?, sourceFaces?, cornerNormals?}; without indices every three
-/// positions are a triangle.
+/// Copies a mesh {positions, indices?, quads?, sourceFaces?, cornerNormals?}; without indices every
+/// three positions are a triangle.
 inline Mesh to_mesh(const val& from) {
   Mesh mesh;
   const val positions = from["positions"];
@@ -81,7 +81,7 @@ inline Mesh to_mesh(const val& from) {
   return mesh;
 }
 
-/// The same back, as copies that JavaScript owns; `real` is the class of the positions.
+/// Makes a mesh object of copies that JavaScript owns; `real` is the class of the positions.
 inline val from_mesh(const Mesh& mesh, const char* real) {
   val to = val::object();
   to.set("positions", copy_out(real, mesh.positions.size() * 3,
@@ -101,7 +101,7 @@ inline val from_mesh(const Mesh& mesh, const char* real) {
   return to;
 }
 
-/// A Uint32Array of plain numbers, or of arrays of them one after the other.
+/// Makes a Uint32Array of numbers, or of small arrays of numbers one after the other.
 template <typename T>
 val from_indices(const std::vector<T>& from) {
   return copy_out("Uint32Array", from.size() * (sizeof(T) / sizeof(Index)),
@@ -118,8 +118,8 @@ inline val from_bytes(std::string_view bytes) {
   return copy_out("Uint8Array", bytes.size(), reinterpret_cast<const std::uint8_t*>(bytes.data()));
 }
 
-/// The callback must not throw: a JavaScript exception would not unwind C++ frames properly. The
-/// wrapper sees to that.
+/// Makes a progress callback of a JavaScript function that must not throw: a JavaScript exception
+/// would not unwind C++ frames properly. The wrapper catches what the user's callback throws.
 inline Progress to_progress(const val& callback) {
   if (!present(callback)) return {};
   return [callback](double fraction, std::string_view phase) {

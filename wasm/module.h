@@ -83,7 +83,8 @@ inline val describe(val mesh) {
   return guard([&] { return from_report(kdm::describe(to_mesh(mesh))); });
 }
 
-/// Bytes of the heap (it never shrinks, so: the most that was ever needed) and bytes in use.
+/// Returns the bytes of the heap, which never shrinks (so it is the most that was ever needed), and
+/// the bytes in use.
 inline val memory() {
   val to = val::object();
   to.set("heapBytes", emscripten_get_heap_size());

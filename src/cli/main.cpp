@@ -19,9 +19,10 @@ namespace {
 constexpr int kNotManifold = 1;
 constexpr int kBadInput = 2;
 
+// Measures the steps one after the other.
 class Stopwatch {
  public:
-  /// Seconds since the last call, or since the start.
+  /// Returns the seconds since the last call, or since the start.
   double lap() {
     const Clock::time_point now = Clock::now();
     const std::chrono::duration<double> seconds = now - last_;
@@ -34,6 +35,7 @@ class Stopwatch {
   Clock::time_point last_ = Clock::now();
 };
 
+// The most memory that the process has held; 0 if nobody knows.
 std::uint64_t peak_bytes() {
   rusage usage{};
   if (getrusage(RUSAGE_SELF, &usage) != 0) return 0;
@@ -46,11 +48,13 @@ std::uint64_t peak_bytes() {
 
 void print(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stdout); }
 
-// Files hold 32-bit coordinates, and so do JavaScript's results: the report is of these.
+// Rounds coordinates to 32 bits, as files and JavaScript's results have them: the report describes
+// these.
 void round_to_single(Mesh& mesh) {
   for (Vec3& p : mesh.positions) p = p.cast<float>().cast<double>();
 }
 
+// Prints the report and returns the exit status.
 int finish(RunReport& report, const Command& command) {
   report.peak_bytes = peak_bytes();
   print(command.json ? report_as_json(report, command) : report_as_text(report, command));
@@ -58,7 +62,7 @@ int finish(RunReport& report, const Command& command) {
 }
 
 int run(const Command& command) {
-  // Known in advance, so said before the work rather than after it.
+  // Refuses an unknown output format before the work rather than after it.
   if (!command.output.empty()) format_from_path(command.output);
 
   RunReport report;
@@ -93,7 +97,7 @@ int run(const Command& command) {
   return finish(report, command);
 }
 
-// Messages may quote file names, and those may hold anything.
+// Prints one line of error. Messages may quote file names, which may hold any character.
 int complain(std::string message) {
   for (char& c : message) {
     if (static_cast<unsigned char>(c) < ' ') c = ' ';

@@ -18,7 +18,7 @@ const fail = (message: string): never => {
   throw new KdManifoldError('INVALID_MESH', message);
 };
 
-/** The class of a typed array, also of one from another frame or context; else what it is. */
+/** Names the class of a typed array, also of one from another frame or context; else the type. */
 function kindOf(value: unknown): string {
   if (ArrayBuffer.isView(value))
     return (value as { [Symbol.toStringTag]?: string })[Symbol.toStringTag] ?? 'DataView';
@@ -41,7 +41,7 @@ function demandIndices(indices: Indices, name: string, vertices: number): void {
   }
 }
 
-/** A mesh whose arrays are what they should be. Also accepts one without any face. */
+/** Checks the arrays of a mesh and returns them. A mesh without any face is accepted. */
 export function checkPolygonMesh(mesh: PolygonMeshInput): PolygonMeshInput {
   if (typeof mesh !== 'object' || mesh === null) {
     fail(`mesh: expected an object with positions and indices, got ${kindOf(mesh)}`);
@@ -56,7 +56,7 @@ export function checkPolygonMesh(mesh: PolygonMeshInput): PolygonMeshInput {
   demandKind(positions, 'positions', ['Float32Array', 'Float64Array'], 3);
   for (let i = 0; i < positions.length; ++i) {
     const value = positions[i] as number;
-    // Finite numbers only; quicker than asking a function millions of times.
+    // The difference is 0 for finite numbers only. Quicker than to call a function millions of times.
     if (value - value !== 0) fail(`positions[${i}] is ${value}; coordinates must be finite`);
   }
   const vertices = positions.length / 3;
@@ -91,7 +91,7 @@ export function checkPolygonMesh(mesh: PolygonMeshInput): PolygonMeshInput {
   return { positions, indices, quads, sourceFaces, cornerNormals };
 }
 
-/** The same for a mesh to be converted: triangles, at least one. */
+/** Checks a mesh to be converted: it must have triangles, at least one, and may have no quads. */
 export function checkMesh(mesh: MeshInput): MeshInput {
   const { positions, indices, sourceFaces } = checkPolygonMesh(
     typeof mesh === 'object' && mesh !== null ? { ...mesh, quads: null } : mesh,
@@ -146,17 +146,17 @@ function pick(given: object, table: Record<string, OptionSpec>, others: string[]
   return taken;
 }
 
-/** The options of `buildGrid`, without those named in `others`, which someone else reads. */
+/** Checks and returns the options of `buildGrid`. Those named in `others` are left to others. */
 export function checkBuildOptions(given: object, others: string[]): BuildOptions {
   return pick(given, buildOptions, others);
 }
 
-/** The options of `Grid.extract`. */
+/** Checks and returns the options of `Grid.extract`. Those named in `others` are left to others. */
 export function checkExtractOptions(given: object, others: string[]): ExtractOptions {
   return pick(given, extractOptions, others);
 }
 
-/** The options of `analyze`. */
+/** Checks and returns the options of `analyze`. */
 export function checkAnalyzeOptions(given: object): AnalyzeOptions {
   return pick(given, analyzeOptions, []);
 }

@@ -22,7 +22,7 @@ export interface Command {
   version: boolean;
 }
 
-/** Is there a grid to be made? Not with --stats alone. */
+/** Says whether a grid is to be made. With --stats alone none is. */
 export function converts({ stats, check, output, saveGrid }: Command): boolean {
   return !stats || check || output !== undefined || saveGrid !== undefined;
 }
@@ -88,7 +88,7 @@ function parse(
   }
 }
 
-// The properties that are given, by the names of the table.
+// Reads the options of the table that are given, by their property names.
 function readTable(table: Record<string, OptionSpec>, values: Values): object {
   const read: Record<string, unknown> = {};
   for (const [name, spec] of Object.entries(table)) {

@@ -6,11 +6,11 @@ import { pick } from './pick.js';
 import { checkKeys, defectKeys, outputKeys } from './reports.js';
 import type { ExtractReport, GridStats, InputReport, MeshDefects, MeshReport } from './types.js';
 
-/** What is reported. */
+/** What is known at the end of a run. */
 export interface CliReport {
-  /** Of the input; with --stats only. */
+  /** The defects of the input; with --stats only. */
   defects?: MeshDefects;
-  /** Unless --stats is all that is asked for. */
+  /** What was made; not if --stats is all that is asked for. */
   result?: {
     input: InputReport;
     grid: GridStats;
@@ -21,7 +21,7 @@ export interface CliReport {
 }
 
 /**
- * `input`, with --stats `defects`, then `grid`, `output` (with --check also its `selfIntersections`), with
+ * Writes `input`, with --stats `defects`, then `grid`, `output` (with --check also its `selfIntersections`), with
  * --check `check`, then `seconds` and `peakBytes`. With --stats alone there is neither `grid` nor `output`.
  */
 export function reportAsJson(report: CliReport, command: Command): string {
@@ -68,7 +68,7 @@ type Counts = Record<Exclude<(typeof defectKeys)[number], 'nestingKnown'>, numbe
   nestingKnown: boolean;
 };
 
-// Lists are represented by their lengths; edges are two numbers each.
+// Counts what the lists hold (edges are two numbers each) and adds up the parts.
 function countsOf(defects: MeshDefects): Counts {
   const sum = (of: (part: MeshDefects['parts'][number]) => number): number =>
     defects.parts.reduce((total, part) => total + of(part), 0);
@@ -88,7 +88,7 @@ function countsOf(defects: MeshDefects): Counts {
   return { ...Object.fromEntries(counts), ...sums } as Counts;
 }
 
-/** A few lines for people. */
+/** Writes a few lines for people. */
 export function reportAsText(report: CliReport, command: Command): string {
   const { defects, result } = report;
   const lines = [];
@@ -117,7 +117,7 @@ function inputLines(input: InputReport, command: Command): string[] {
   return lines;
 }
 
-// What had to be done to surfaces that are not closed and consistently oriented.
+// Says what had to be done to a surface that is not closed and consistently oriented.
 function repairLines({ input, grid, output }: NonNullable<CliReport['result']>): string[] {
   const { sewnEdges, turnedFaces, duplicateFaces } = input;
   if (sewnEdges + turnedFaces + duplicateFaces + grid.inventedHits === 0) return [];
@@ -199,7 +199,7 @@ function kindText(output: MeshReport, sheet: boolean): string {
   return `manifold with ${output.boundaryLoops} boundary loops`;
 }
 
-/** What --check asks: closed and 2-manifold; of a sheet, a manifold that may have a boundary. */
+/** Says whether the output is closed and 2-manifold; of a sheet, a manifold that may have a boundary. */
 export function passesCheck(output: MeshReport, sheet: boolean): boolean {
   return sheet ? output.manifold : output.twoManifold;
 }

@@ -49,7 +49,7 @@ export async function runCli(args: string[]): Promise<Outcome> {
 
 function convertFile(library: Awaited<ReturnType<typeof load>>, command: Command): CliReport {
   const { input, output } = command;
-  // Known in advance, so said before the work rather than after it.
+  // Refuses an unknown output format before the work rather than after it.
   const outputFormat = output === undefined ? undefined : formatFromPath(output);
   const report: CliReport = { seconds: { read: 0 }, peakBytes: 0 };
   const { seconds } = report;
@@ -111,7 +111,7 @@ function readInput(path: string): Uint8Array {
   }
 }
 
-// The file appears complete or not at all.
+// Writes under another name first, so that the file appears complete or not at all.
 function writeWhole(path: string, content: Uint8Array): void {
   const temporary = `${path}.${process.pid}.part`;
   try {
@@ -126,7 +126,7 @@ function writeWhole(path: string, content: Uint8Array): void {
 const reasonOf = (error: unknown): string =>
   (error as NodeJS.ErrnoException).code ?? (error as Error).message;
 
-// Errors of reading and writing name the file already, as errors in the arguments name theirs.
+// Errors of reading and writing name the file already, and errors in the arguments name the argument.
 function messageOf(error: unknown, command: Command | undefined): string {
   const message = error instanceof Error ? error.message : String(error);
   const named =

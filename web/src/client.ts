@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The caller's end of the worker: one worker, one conversion at a time, the others wait in line.
+// The caller's end of the worker. There is one worker; it does one conversion at a time, and the
+// others wait in line.
 import { convert } from './convert.js';
 import { aborted, KdManifoldError } from './errors.js';
 import { compile, load, type LoadOptions } from './load.js';
@@ -13,7 +14,7 @@ import type {
   ProgressCallback,
 } from './types.js';
 
-/** One conversion, its mesh no longer shared with anybody. */
+/** One conversion. Nobody else holds the arrays of its mesh. */
 export interface Job {
   mesh: MeshInput;
   transfer: ArrayBuffer[];
@@ -31,7 +32,7 @@ const keptHeapBytes = 256 * 2 ** 20;
 let worker: Promise<WorkerPort | null> | undefined;
 let line: Promise<unknown> = Promise.resolve();
 
-/** Runs the job when those before it are done; stops waiting or working when its signal says so. */
+/** Runs the job after all jobs before it. When its signal aborts, it stops waiting or working. */
 export function submit(job: Job): Promise<Conversion> {
   const turn = line.then(() => perform(job));
   line = turn.catch(() => {});
@@ -58,7 +59,8 @@ async function perform(job: Job): Promise<Conversion> {
   return conversion;
 }
 
-// Only the job in work or an idle worker's own death calls this, so it is the worker of the moment.
+// Ends the worker. Only the job at work, or the death of an idle worker, calls this: `port` is always
+// the current worker.
 function end(port: WorkerPort): void {
   port.listen(
     () => {},
@@ -68,7 +70,7 @@ function end(port: WorkerPort): void {
   worker = undefined;
 }
 
-// Null if workers cannot be had here; an error if the WebAssembly file itself is not to be had.
+// Resolves to null if there are no workers here; rejects if the WebAssembly file cannot be loaded.
 async function start(source: LoadOptions): Promise<WorkerPort | null> {
   try {
     const module = await compile(source);
@@ -94,7 +96,7 @@ async function start(source: LoadOptions): Promise<WorkerPort | null> {
   }
 }
 
-// Between conversions the worker neither speaks nor keeps Node from ending.
+// Puts the worker to rest: between conversions it sends nothing and does not keep Node from ending.
 function rest(port: WorkerPort): void {
   port.listen(
     () => {},
@@ -105,7 +107,7 @@ function rest(port: WorkerPort): void {
 
 function converse(port: WorkerPort, job: Job): Promise<Conversion> {
   return new Promise<Conversion>((resolve, reject) => {
-    // The worker is deaf while it works: stopping it means ending it.
+    // The worker receives nothing while it works: to stop it is to end it.
     const stop = (error: Error): void => {
       job.signal?.removeEventListener('abort', onAbort);
       end(port);
@@ -125,7 +127,7 @@ function converse(port: WorkerPort, job: Job): Promise<Conversion> {
         resolve(reply.conversion);
       } else if (reply.type === 'failed') {
         const error = new KdManifoldError(reply.code, reply.message);
-        // After a bug or at the end of memory a fresh start is safer.
+        // After a bug, or when memory has run out, a new worker is safer.
         if (reply.code === 'INTERNAL' || reply.code === 'OUT_OF_MEMORY') return stop(error);
         job.signal?.removeEventListener('abort', onAbort);
         rest(port);

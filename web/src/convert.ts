@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One whole conversion on the calling thread. The worker and the inline path share it.
+// One whole conversion on the calling thread. The worker runs it, and so does the calling thread where
+// there are no workers.
 import type { KdManifold } from './library.js';
 import { pick } from './pick.js';
 import { outputKeys } from './reports.js';
@@ -11,11 +12,11 @@ import type {
   ProgressCallback,
 } from './types.js';
 
-// Shares of the time, measured on models of 10,000 to 200,000 triangles.
+// The shares of the whole time that the steps take, measured on models of 10,000 to 200,000 triangles.
 const buildShare = 0.75;
 const extractShare = 0.2;
 
-/** Builds, extracts, describes, and forgets the grid. */
+/** Builds the grid, extracts the result and describes it, and frees the grid. */
 export function convert(
   library: KdManifold,
   mesh: MeshInput,
@@ -51,7 +52,7 @@ export function convert(
   }
 }
 
-/** The buffers of a mesh, to be handed to another thread. */
+/** Lists the buffers of a mesh, to be handed to another thread. */
 export function buffersOf(mesh: object): ArrayBuffer[] {
   const buffers = new Set<ArrayBuffer>();
   for (const value of Object.values(mesh)) {

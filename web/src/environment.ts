@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Where the code runs. Asked when needed, never while importing.
+// Finds out where the code runs. Nothing is found out while the package is imported.
 
-/** Node, or something that passes for it; Electron's pages count as browsers. */
+/** Says whether this is Node or something that passes for it; Electron's pages count as browsers. */
 export function isNode(): boolean {
   return (
     typeof process === 'object' &&
@@ -10,7 +10,7 @@ export function isNode(): boolean {
   );
 }
 
-/** A module of Node's own. The name is put together here so that no bundler tries to follow it. */
+/** Imports a module of Node's own. The name is put together here so that no bundler tries to follow it. */
 export function nodeModule<T>(name: string): Promise<T> {
   const specifier = `node:${name}`;
   return import(/* @vite-ignore */ /* webpackIgnore: true */ specifier) as Promise<T>;

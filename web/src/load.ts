@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Finding, compiling and starting the WebAssembly file, once.
+// Finds, compiles and starts the WebAssembly file, once.
 import { isNode, nodeModule } from './environment.js';
 import { KdManifoldError } from './errors.js';
 import createModule from './kdmanifold.js';
@@ -33,7 +33,7 @@ export function load(options: LoadOptions = {}): Promise<KdManifold> {
   return loaded;
 }
 
-/** @internal The compiled module, which workers can be given. */
+/** @internal Compiles the module, once; workers are given the result. */
 export function compile(options: LoadOptions = {}): Promise<WebAssembly.Module> {
   compiled ??= compileFrom(options).catch((error: unknown) => {
     compiled = undefined;
@@ -42,7 +42,7 @@ export function compile(options: LoadOptions = {}): Promise<WebAssembly.Module> 
   return compiled;
 }
 
-/** @internal A library of its own from a compiled module. */
+/** @internal Starts an instance of a compiled module, with memory of its own. */
 export async function instantiate(module: WebAssembly.Module): Promise<KdManifold> {
   const raw = await new Promise<Awaited<ReturnType<typeof createModule>>>((resolve, reject) => {
     createModule({

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Starting a worker, whichever kind this place has.
+// Starts a worker: of the browser's kind or of Node's, whichever there is.
 import { isNode, nodeModule } from './environment.js';
 import type { Reply, WorkerPort } from './protocol.js';
 
-/** Starts a worker; null where there are none or they are not allowed. */
+/** Starts a worker. Resolves to null where there are none or they are not allowed. */
 export async function openWorker(): Promise<WorkerPort | null> {
   try {
     return isNode() ? await openThread() : openWebWorker();
@@ -14,7 +14,7 @@ export async function openWorker(): Promise<WorkerPort | null> {
 
 async function openThread(): Promise<WorkerPort> {
   const { Worker } = await nodeModule<typeof import('node:worker_threads')>('worker_threads');
-  // Without the flags of the process, some of which workers refuse.
+  // The worker does not get the flags of the process: workers refuse some of them.
   const worker = new Worker(new URL('./worker.js', import.meta.url), { execArgv: [] });
   let hear: (reply: Reply) => void = () => {};
   let mourn: (reason: string) => void = () => {};

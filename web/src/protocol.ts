@@ -8,14 +8,14 @@ export type Request =
   | { type: 'start'; module: WebAssembly.Module }
   | { type: 'convert'; mesh: MeshInput; build: BuildOptions; extract: ExtractOptions };
 
-/** From the worker: one `ready`, then for each conversion progress and one of the other two. */
+/** From the worker: one `ready`, then for each conversion `progress`, and `done` or `failed`. */
 export type Reply =
   | { type: 'ready' }
   | { type: 'progress'; fraction: number; phase: string }
   | { type: 'done'; conversion: Conversion }
   | { type: 'failed'; code: ErrorCode; message: string };
 
-/** A worker of either kind, seen from outside. */
+/** A worker of either kind, as the caller's end sees it. */
 export interface WorkerPort {
   post(request: Request, transfer: ArrayBuffer[]): void;
   /** Sets who hears replies and who hears of the worker's end. */

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// `kdmanifold/three`: meshes from and to three.js geometries.
+// `kdmanifold/three`: makes meshes of three.js geometries, and geometries of meshes.
 import { BufferAttribute, BufferGeometry } from 'three';
 import type { InterleavedBufferAttribute } from 'three';
 import { KdManifoldError } from './errors.js';
 import type { PolygonMeshInput } from './types.js';
 
 /**
- * The mesh of a geometry, as copies: positions and, if there is one, the index. Other attributes,
- * groups and the draw range are not looked at.
+ * Makes a mesh of a geometry, by copying its positions and, if there is one, its index. Other
+ * attributes, groups and the draw range are not looked at.
  */
 export function fromBufferGeometry(geometry: BufferGeometry): {
   positions: Float32Array<ArrayBuffer> | Float64Array<ArrayBuffer>;
@@ -37,7 +37,7 @@ export function fromBufferGeometry(geometry: BufferGeometry): {
 }
 
 /**
- * A geometry of the mesh. Without `cornerNormals` it has the mesh's own arrays (not copies of them)
+ * Makes a geometry of a mesh. Without `cornerNormals` it has the mesh's own arrays (not copies of them)
  * and no normals: use a material with `flatShading`, or call `computeVertexNormals()`. With them it has
  * the attribute "normal", and for that vertices of its own: one for every different normal at a vertex,
  * so that creases are sharp and all else is smooth. Quads become two triangles each.
@@ -61,7 +61,7 @@ export function toBufferGeometry(mesh: PolygonMeshInput): BufferGeometry {
   return geometry;
 }
 
-/** A vertex for every pair of a vertex and a normal that a corner has there. */
+/** Makes one vertex for every pair of a vertex and a normal that some corner has there. */
 function splitVertices(
   positions: Float32Array,
   index: ArrayLike<number> | null,
@@ -103,7 +103,7 @@ function splitVertices(
   return split;
 }
 
-// A quad's corners, in the order in which its two triangles use them.
+// The corners of a quad, in the order in which its two triangles use them.
 const quadCorners = [0, 1, 2, 0, 2, 3];
 
 function withQuadNormals(

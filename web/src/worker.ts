@@ -7,7 +7,7 @@ import type { KdManifold } from './library.js';
 import { instantiate } from './load.js';
 import type { Reply, Request } from './protocol.js';
 
-// TypeScript has the types of a page or of a worker, never both.
+// TypeScript knows the types of a page or of a worker, never both at a time.
 interface WorkerScope {
   onmessage: (event: MessageEvent<Request>) => void;
   postMessage(reply: Reply, transfer: ArrayBuffer[]): void;
@@ -15,7 +15,7 @@ interface WorkerScope {
 
 type Post = (reply: Reply, transfer?: ArrayBuffer[]) => void;
 
-// Often enough for a smooth bar, seldom enough to cost nothing.
+// Milliseconds between reports of progress: often enough for a smooth bar, and at no cost.
 const progressInterval = 30;
 
 function serve(post: Post): (request: Request) => Promise<void> {
