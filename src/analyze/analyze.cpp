@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Joins vertices of equal position, collects what the other files find, and gives it in the
-// caller's numbers.
+// Joins vertices of equal position, collects what the other files of this room find, and translates
+// it to the caller's numbers.
 #include "kdmanifold/analyze.h"
 
 #include <algorithm>
@@ -23,8 +23,8 @@
 namespace kdm {
 namespace {
 
-// The same faces over points, which are numbered as their first vertices are ordered: what
-// ascends in one numbering does so in the other.
+// Returns the mesh with vertices of equal position joined to points. Points are numbered in the
+// order of their first vertices: so lists that ascend by points ascend by first vertices as well.
 Mesh joined(const Mesh& mesh, const Weld& weld) {
   Mesh result;
   result.positions.reserve(weld.first_of.size());
@@ -40,7 +40,7 @@ Mesh joined(const Mesh& mesh, const Weld& weld) {
   return result;
 }
 
-// Faces of which no corner is off the line of others; those with a repeated one are left out.
+// Finds faces all of whose corners lie on one line. Faces with a repeated corner are left out.
 std::vector<Index> find_zero_area(const Mesh& mesh, const std::vector<Index>& part_of) {
   const std::vector<Vec3> positions = scale_to_one(mesh.positions).positions;
   Marks has_area(part_of.size());
@@ -56,7 +56,8 @@ std::vector<Index> find_zero_area(const Mesh& mesh, const std::vector<Index>& pa
   return found;
 }
 
-// A quad's two triangles share an edge, so they are turned together.
+// Finds faces that are turned the wrong way. The two triangles of a quad share an edge, so they are
+// turned together.
 std::vector<Index> find_flipped(const Mesh& mesh, const std::vector<Index>& part_of) {
   std::vector<Triangle> triangles;
   std::vector<Index> face_of;
@@ -92,7 +93,7 @@ MeshDefects analyze(const Mesh& mesh, const AnalyzeOptions& options) try {
   defects.balanced =
       !defects.parts.empty() && std::all_of(defects.parts.begin(), defects.parts.end(),
                                             [](const MeshPart& part) { return part.closed; });
-  // A closed part that is turned outwards, or inwards where it bounds a cavity, is as it should be.
+  // Nothing is turned the wrong way if all parts are closed and none is inside out.
   if (!defects.balanced || std::any_of(defects.parts.begin(), defects.parts.end(),
                                        [](const MeshPart& part) { return part.inside_out; })) {
     defects.flipped_faces = find_flipped(points, faults.part_of);

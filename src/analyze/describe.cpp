@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Counts what keeps an index mesh from being 2-manifold, and measures it.
+// Counts the faults of a mesh, and measures it.
 #include "analyze/describe.h"
 
-#include <algorithm>
 #include <new>
 
 #include "kdmanifold/error.h"
 #include "mesh/boxes.h"
+#include "mesh/marks.h"
 #include "mesh/measure.h"
 #include "mesh/polygons.h"
 
@@ -18,17 +18,17 @@ Index count(const std::vector<Item>& items) {
   return static_cast<Index>(items.size());
 }
 
+// Finds the bounds of the vertices that faces use, and counts the others.
 void look_at_vertices(const Mesh& mesh, MeshReport& report) {
   const Polygons faces(mesh);
-  std::vector<bool> referenced(mesh.positions.size());
+  Marks referenced(mesh.positions.size());
   for (Index face = 0; face < faces.size(); ++face) {
     for (Index k = 0; k < faces.corners(face); ++k) {
-      referenced[faces[face][k]] = true;
+      referenced.set(faces[face][k]);
       grow(report.bounds, mesh.positions[faces[face][k]]);
     }
   }
-  report.unreferenced_vertices =
-      static_cast<Index>(std::count(referenced.begin(), referenced.end(), false));
+  report.unreferenced_vertices = static_cast<Index>(referenced.size() - referenced.count());
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The counts of a mesh whose faults are known.
+// Describes a mesh whose faults are known already.
 #pragma once
 
 #include <span>
@@ -9,7 +9,7 @@
 
 namespace kdm {
 
-/// What `describe(mesh)` gives; `faults` are those of the mesh, as `loops` are.
+/// Returns what `describe(mesh)` returns. `faults` and `loops` must be those of the mesh.
 MeshReport describe(const Mesh& mesh, const MeshFaults& faults,
                     std::span<const BoundaryLoop> loops);
 

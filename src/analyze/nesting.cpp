@@ -1,32 +1,34 @@
 // SPDX-License-Identifier: MIT
-// Winding numbers by rays: those triangles count that a ray down the x axis meets. The point is
-// read as shifted by (0, e, e^2), e infinitesimal, so that no ray meets an edge.
+// Finds winding numbers by rays: a part's winding number at a point is a sum over the triangles
+// that a ray from the point down the x axis meets. The point is read as shifted by (0, e, e^2),
+// where e is infinitesimal, so that no ray meets an edge.
 #include "analyze/nesting.h"
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 
 #include "geometry/exact_sign.h"
 #include "mesh/box_tree.h"
+#include "mesh/boxes.h"
+#include "mesh/groups.h"
 
 namespace kdm {
 namespace {
 
 using Corners = std::array<Vec3, 3>;
 
-// The limit of work, in pairs of boxes that meet: about a second. A point held against a triangle
-// takes as long as several of them. Six thousand parts that all overlap reach it, or two thousand
-// round each other, but not a block with a hundred thousand bubbles.
+// Limits the work to about a second. It is counted in pairs of boxes that meet; to compare a point
+// with a triangle counts as several. Six thousand parts that all overlap reach the limit, or two
+// thousand round each other, but not a block with a hundred thousand bubbles.
 constexpr std::uint64_t kMostTests = std::uint64_t{1} << 25;
-constexpr std::uint64_t kTestsAPoint = 4;
+constexpr std::uint64_t kTestsPerPoint = 4;
 
 bool holds(const Box& a, const Box& b) {
   return (a.min.array() <= b.min.array()).all() && (a.max.array() >= b.max.array()).all();
 }
 
-// The vertices furthest out along the eight diagonals, each once: of a box all corners, so that one
-// is left if others touch the outer part. None of parts that are open.
+// Returns for each closed part its vertices furthest out along the eight diagonals of space, each
+// once. Of a box they are all corners; so some are left to judge by if others touch the outer part.
 std::vector<std::vector<Index>> take_samples(const Polygons& faces, std::span<const Vec3> positions,
                                              std::span<const Index> part_of,
                                              std::span<const Shell> shells) {
@@ -60,36 +62,24 @@ std::vector<std::vector<Index>> take_samples(const Polygons& faces, std::span<co
   return samples;
 }
 
-// The faces of each part, those of part i from place starts[i] on.
-struct FacesByPart {
-  std::vector<Index> starts;
-  std::vector<Index> faces;
-};
-
-FacesByPart sort_by_part(std::span<const Index> part_of, std::size_t parts) {
-  FacesByPart sorted{std::vector<Index>(parts + 1, 0), {}};
-  for (const Index part : part_of) {
-    if (part != kNone) ++sorted.starts[part + 1];
-  }
-  std::partial_sum(sorted.starts.begin(), sorted.starts.end(), sorted.starts.begin());
-  sorted.faces.resize(sorted.starts.back());
-  std::vector<Index> next(sorted.starts.begin(), sorted.starts.end() - 1);
-  for (Index face = 0; face < part_of.size(); ++face) {
-    if (part_of[face] != kNone) sorted.faces[next[part_of[face]]++] = face;
-  }
-  return sorted;
+Groups faces_by_part(std::span<const Index> part_of, std::size_t parts) {
+  return Groups(parts, [&](const auto& put) {
+    for (Index face = 0; face < part_of.size(); ++face) {
+      if (part_of[face] != kNone) put(part_of[face], face);
+    }
+  });
 }
 
 int sign(double x) { return x > 0 ? 1 : (x < 0 ? -1 : 0); }
 
-// On which side of the edge the shifted point is, seen along x.
+// Returns on which side of the edge from a to b the shifted point p is, seen along x.
 int side_of_edge(const Vec3& a, const Vec3& b, const Vec3& p) {
   const int area = area_sign(a, b, p, 0);
   if (area != 0) return area;
   return a.z() != b.z() ? sign(a.z() - b.z()) : sign(b.y() - a.y());
 }
 
-// 0: the line along x through the shifted point misses the triangle; else the sign of the
+// Returns 0 if the line along x through the shifted point misses the triangle, else the sign of the
 // triangle's normal along x.
 int line_crosses(const Corners& t, const Vec3& p) {
   const int first = side_of_edge(t[0], t[1], p);
@@ -97,7 +87,8 @@ int line_crosses(const Corners& t, const Vec3& p) {
   return side_of_edge(t[2], t[0], p) == first ? first : 0;
 }
 
-// For a point in the triangle's plane; triangles without area hold none.
+// Tells whether a point in the triangle's plane is on the triangle. No point is on a triangle
+// without area.
 bool is_on(const Corners& t, const Vec3& p) {
   int axis = 0;
   while (axis < 3 && area_sign(t[0], t[1], t[2], axis) == 0) ++axis;
@@ -112,14 +103,15 @@ bool is_on(const Corners& t, const Vec3& p) {
   return !(left && right);
 }
 
-// How the surface of one part lies to a point.
+// How a point lies to the surface of one part.
 struct Verdict {
-  int winding = 0;
-  bool on = false;
+  int winding = 0;  // the part's winding number at the point
+  bool on = false;  // the point is on the part
 };
 
-// Asks the triangles of one part about points. `triangles` calls its argument with each of them.
-// Counts the work in `tests`, and leaves the rest of the triangles out when it is too much.
+// Finds how points lie to one part, whose triangles `triangles(ask)` passes to `ask` one by one.
+// The points are given as boxes. Adds the work to `tests`; when that is too much, the rest of the
+// triangles is left out.
 template <typename Triangles>
 std::vector<Verdict> judge(const std::vector<Box>& points, const Triangles& triangles,
                            std::uint64_t& tests) {
@@ -129,18 +121,19 @@ std::vector<Verdict> judge(const std::vector<Box>& points, const Triangles& tria
   std::vector<Verdict> verdicts(points.size());
   triangles([&](const Corners& t) {
     if (tests > kMostTests) return;
-    Box above = {t[0].cwiseMin(t[1]).cwiseMin(t[2]), t[0].cwiseMax(t[1]).cwiseMax(t[2])};
+    Box above = box_of(t[0], t[1], t[2]);
     above.max.x() = std::max(above.max.x(), highest);
     tree.for_each_meeting(above, [&](Index i) {
-      tests += kTestsAPoint;
+      tests += kTestsPerPoint;
       const Vec3& p = points[i].min;
       const int side = volume_sign(t[0], t[1], t[2], p);
       if (side == 0) {
         verdicts[i].on = verdicts[i].on || is_on(t, p);
         return;
       }
-      // Below the point if its normal points up the axis and the point is where it points to, or
-      // neither. Then the surface is left, or entered, on the way up.
+      // The triangle is below the point if its normal points up the axis and the point is on the
+      // side that it points to, or neither. Then a line up the axis leaves or enters the part
+      // there.
       const int up = line_crosses(t, p);
       if (up == side) verdicts[i].winding -= up;
     });
@@ -165,7 +158,7 @@ std::optional<std::vector<Enclosure>> find_enclosures(const Polygons& faces,
   if (closed.size() < 2) return enclosures;
   const BoxTree tree(boxes);
   const std::vector<std::vector<Index>> samples = take_samples(faces, positions, part_of, shells);
-  const FacesByPart sorted = sort_by_part(part_of, shells.size());
+  const Groups faces_of = faces_by_part(part_of, shells.size());
 
   std::uint64_t tests = 0;
   for (const Index outer : closed) {
@@ -182,8 +175,8 @@ std::optional<std::vector<Enclosure>> find_enclosures(const Polygons& faces,
     const std::vector<Verdict> verdicts = judge(
         points,
         [&](const auto& ask) {
-          for (Index i = sorted.starts[outer]; i < sorted.starts[outer + 1]; ++i) {
-            faces.for_each_triangle_of(sorted.faces[i], [&](const Triangle& t) {
+          for (const Index face : faces_of.of(outer)) {
+            faces.for_each_triangle_of(face, [&](const Triangle& t) {
               ask({positions[t[0]], positions[t[1]], positions[t[2]]});
             });
           }

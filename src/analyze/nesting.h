@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which closed parts of a mesh lie in which.
+// Finds which closed parts of a mesh lie in which.
 #pragma once
 
 #include <optional>
@@ -10,21 +10,26 @@
 
 namespace kdm {
 
-/// What `find_enclosures` asks of a part.
+/// What `find_enclosures` must know of a part.
 struct Shell {
   Box bounds;
   bool closed = false;  ///< every edge used equally often in both directions
 };
 
+/// Two closed parts, one of which lies in the other.
 struct Enclosure {
   Index inner;
   Index outer;
 };
 
-/// Pairs of closed parts, ascending: the outermost vertices of the inner one along the eight
-/// diagonals are where the outer one's winding number is not 0, or on it, but not all of them on
-/// it. Exact for positions of about 1. `part_of` gives each face's part or kNone. There may be as
-/// many pairs as the square of the parts: beyond a limit of work nothing is said.
+/// Finds all pairs of closed parts of which one lies in the other, ascending by inner, then by
+/// outer part. The inner part is judged by its outermost vertices along the eight diagonals of
+/// space: each must be where the outer part's winding number is not 0, or on the outer part, and
+/// not all of them on it. Decides exactly if positions are about 1. `part_of` gives the part of
+/// each face, or kNone; `shells` describes the parts.
+///
+/// There may be as many pairs as the square of the parts. Returns nothing if finding them would
+/// take more than about a second.
 std::optional<std::vector<Enclosure>> find_enclosures(const Polygons& faces,
                                                       std::span<const Vec3> positions,
                                                       std::span<const Index> part_of,

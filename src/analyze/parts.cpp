@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Genus by Euler's formula, sizes by sums, cavities and parts inside out by who lies in whom.
+// Finds the genus of each part by Euler's formula, its size by sums over triangles, and whether it
+// is a cavity or inside out from the parts that it lies in.
 #include "analyze/parts.h"
 
 #include <cmath>
@@ -12,11 +13,13 @@
 namespace kdm {
 namespace {
 
-// A part whose volume is less than this share of the sum of its terms' absolute values encloses
-// nothing but rounding errors: a few faces back to back.
-constexpr double kRelevantVolume = 1e-10;
+// A part whose volume is at most this share of the sum of its terms' absolute values encloses
+// nothing, but for rounding errors: it consists of faces back to back.
+constexpr double kMostRoundingVolume = 1e-10;
 
-// With each boundary loop closed by a disk, fans - edges + faces + loops = 2 - 2 genus.
+// Returns the number of handles. If each boundary loop is closed by a disk, Euler's formula says
+// fans
+// - edges + faces + loops = 2 - 2 genus.
 Index genus_of(const PartTopology& part, Index loops) {
   if (!part.manifold || !part.agreeing) return kNone;
   return (2 + part.edges - part.fans - part.faces - loops) / 2;
@@ -41,9 +44,9 @@ void measure_parts(const Polygons& faces, const ScaledPositions& scaled,
   });
 }
 
-// Turned outwards: 1; inwards: -1; open or without volume: 0.
+// Returns 1 if the part is turned outwards, -1 if inwards, 0 if it is open or without volume.
 int turn_of(const PartTopology& part, const Measure& measure) {
-  if (!part.balanced || std::abs(measure.volume) <= kRelevantVolume * measure.absolute_volume) {
+  if (!part.balanced || std::abs(measure.volume) <= kMostRoundingVolume * measure.absolute_volume) {
     return 0;
   }
   return measure.volume > 0 ? 1 : -1;
@@ -77,7 +80,7 @@ PartsReport describe_parts(const Mesh& mesh, const MeshFaults& faults,
   const std::optional<std::vector<Enclosure>> enclosures =
       find_enclosures(faces, scaled.positions, faults.part_of, shells);
   if (!enclosures) return {std::move(parts), false};
-  std::vector<int> winding(parts.size(), 0);  // round the part, by those that hold it
+  std::vector<int> winding(parts.size(), 0);  // at the part, by the parts that hold it
   for (const Enclosure& pair : *enclosures) {
     winding[pair.inner] += turns[pair.outer];
     Index& smallest = parts[pair.inner].inside;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What there is to be said about each part of a mesh.
+// Describes each part of a mesh.
 #pragma once
 
 #include <span>
@@ -13,10 +13,10 @@ namespace kdm {
 
 struct PartsReport {
   std::vector<MeshPart> parts;
-  bool nesting_known = true;
+  bool nesting_known = true;  ///< false if too many closed parts overlap to find who lies in whom
 };
 
-/// One for each of `faults.parts`, which are those of the mesh, as `loops` are.
+/// Describes each of `faults.parts`. `faults` and `loops` must be those of the mesh.
 PartsReport describe_parts(const Mesh& mesh, const MeshFaults& faults,
                            std::span<const BoundaryLoop> loops);
 

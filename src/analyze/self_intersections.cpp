@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Faces of a mesh that cross or touch where they share nothing. Triangles over the same three
-// vertices meet the same others: one of each set is looked at and stands for all of them.
+// Finds faces that cross or touch where they share nothing. Triangles over the same three vertices
+// meet the same others, so one triangle of each set is looked at and stands for all of them.
 #include <algorithm>
 #include <new>
 
@@ -8,7 +8,9 @@
 #include "kdmanifold/error.h"
 #include "kdmanifold/mesh.h"
 #include "mesh/box_tree.h"
+#include "mesh/boxes.h"
 #include "mesh/check_indices.h"
+#include "mesh/marks.h"
 #include "mesh/polygons.h"
 #include "mesh/same_corners.h"
 #include "mesh/scale.h"
@@ -32,12 +34,12 @@ class Search {
   }
 
   SelfIntersections run() {
-    crossing_.assign(first_.size(), 0);
+    crossing_.assign(first_.size());
     std::vector<Box> boxes;
     boxes.reserve(first_.size());
     for (Index set = 0; set < first_.size(); ++set) {
       const auto [a, b, c] = corners(set);
-      boxes.push_back({a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)});
+      boxes.push_back(box_of(a, b, c));
       if (size_[set] > 1) look_at(set, set);
     }
     BoxTree(boxes).for_each_pair([&](Index i, Index j) { look_at(i, j); });
@@ -46,7 +48,7 @@ class Search {
     for (Index face = 0; face < faces_.size(); ++face) {
       bool found = false;
       for (Index rest = faces_.corners(face) - 2; rest > 0; --rest) {
-        found = crossing_[set_of_[triangle++]] != 0 || found;
+        found = crossing_.test(set_of_[triangle++]) || found;
       }
       if (found) result_.faces.push_back(face);
     }
@@ -71,8 +73,8 @@ class Search {
     return {positions_[n[0]], positions_[n[1]], positions_[n[2]]};
   }
 
-  // All pairs of one triangle of each set; or of two of the same one. The two halves of a quad do
-  // not count.
+  // If the triangles of two sets cross, counts all pairs of one triangle of each set, or of two
+  // triangles if the sets are the same. The two halves of a quad are no pair.
   void look_at(Index i, Index j) {
     if (!TriangleCrossing<RealKernel>::test(corners(i), numbers(i), corners(j), numbers(j))) return;
     const std::uint64_t n = size_[i];
@@ -81,17 +83,18 @@ class Search {
                                 static_cast<std::uint64_t>(halves.second - halves.first);
     if (pairs == 0) return;
     result_.pairs += pairs;
-    crossing_[i] = crossing_[j] = 1;
+    crossing_.set(i);
+    crossing_.set(j);
   }
 
   Polygons faces_;
   std::vector<Vec3> positions_;
   std::vector<Triangle> triangles_;
-  std::vector<Index> set_of_;  // of each triangle
-  std::vector<Index> first_;   // of each set
-  std::vector<Index> size_;
-  std::vector<Edge> quads_;  // the sets of their halves, ascending
-  std::vector<char> crossing_;
+  std::vector<Index> set_of_;  // per triangle
+  std::vector<Index> first_;   // per set: its first triangle
+  std::vector<Index> size_;    // per set
+  std::vector<Edge> quads_;    // the sets of each quad's halves, ascending
+  Marks crossing_;             // sets whose triangles cross others
   SelfIntersections result_;
 };
 

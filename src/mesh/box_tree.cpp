@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Building the tree: halves by the middle of the centres along the longest side.
+// Builds the tree: each node is halved at the median of its boxes' centres, along the longest side
+// of the node's own box.
 #include "mesh/box_tree.h"
 
 #include <algorithm>
 #include <numeric>
+
+#include "mesh/boxes.h"
 
 namespace kdm {
 
@@ -19,10 +22,7 @@ BoxTree::BoxTree(const std::vector<Box>& boxes) : boxes_(boxes), order_(boxes.si
 Index BoxTree::build(Index begin, Index end, const std::vector<Vec3>& centres) {
   const auto number = static_cast<Index>(nodes_.size());
   Box box = boxes_[order_[begin]];
-  for (Index i = begin + 1; i < end; ++i) {
-    box.min = box.min.cwiseMin(boxes_[order_[i]].min);
-    box.max = box.max.cwiseMax(boxes_[order_[i]].max);
-  }
+  for (Index i = begin + 1; i < end; ++i) grow(box, boxes_[order_[i]]);
   nodes_.push_back({box, begin, end, 0});
   if (end - begin > kLeafSize) {
     int axis = 0;

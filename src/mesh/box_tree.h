@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A binary tree of bounding boxes, for pairs of things whose boxes meet and things along a ray.
+// A binary tree over boxes: finds the boxes that meet each other, a given box or a ray.
 #pragma once
 
 #include <algorithm>
@@ -11,17 +11,20 @@
 
 namespace kdm {
 
+/// Searches boxes, which are known by their numbers. Boxes that touch count as meeting. A search
+/// takes about logarithmic time and the time for what it finds, unless very many boxes overlap.
 class BoxTree {
  public:
+  /// Builds the tree in time n log n. `boxes` must outlive it; none may be empty.
   explicit BoxTree(const std::vector<Box>& boxes);
 
-  /// Calls `visit(i, j)` once, i < j, for every two boxes that meet or touch.
+  /// Calls `visit(i, j)` once, i < j, for every two boxes that meet.
   template <typename Visit>
   void for_each_pair(const Visit& visit) const {
-    if (!nodes_.empty()) within(0, visit);
+    if (!nodes_.empty()) pairs_within(0, visit);
   }
 
-  /// Calls `visit(i)` once for every box that meets or touches this one.
+  /// Calls `visit(i)` once for every box that meets the given one.
   template <typename Visit>
   void for_each_meeting(const Box& box, const Visit& visit) const {
     any_meeting(box, [&](Index i) {
@@ -30,27 +33,28 @@ class BoxTree {
     });
   }
 
-  /// Whether `test(i)` holds for one of the boxes that meet or touch this one; stops at the first.
+  /// Tells whether `test(i)` holds for one of the boxes that meet the given one. Calls it until it
+  /// does.
   template <typename Test>
   bool any_meeting(const Box& box, const Test& test) const {
     return !nodes_.empty() && any_meeting_below(0, box, test);
   }
 
-  /// Whether `test(i)` holds for one of the boxes that the ray meets or touches; stops at the
-  /// first that is found, near ones first. No component of `direction` may be 0.
+  /// Tells whether `test(i)` holds for one of the boxes that the ray meets. Calls it until it does,
+  /// for near boxes rather than far ones. No component of `direction` may be 0.
   template <typename Test>
   bool any_along(const Vec3& origin, const Vec3& direction, const Test& test) const {
     const Vec3 inverse = direction.cwiseInverse();
     return !nodes_.empty() && entry(nodes_[0].box, origin, inverse) < kMissed &&
-           any_below(0, origin, inverse, test);
+           any_along_below(0, origin, inverse, test);
   }
 
  private:
   struct Node {
     Box box;
-    Index begin = 0;  // its things in order_
+    Index begin = 0;  // order_[begin] to order_[end - 1] are the boxes in it
     Index end = 0;
-    Index right = 0;  // the left child follows its parent; 0: a leaf
+    Index right = 0;  // the right child, or 0 for a leaf; the left child follows its parent
   };
   static constexpr Index kLeafSize = 8;
 
@@ -62,8 +66,8 @@ class BoxTree {
 
   static constexpr double kMissed = std::numeric_limits<double>::infinity();
 
-  // Where the ray comes in, in lengths of its direction. Distances to the sides are rounded: the
-  // further one is taken a little further.
+  // Returns where the ray enters the box, in lengths of its direction, or kMissed. Since distances
+  // to the box's sides are rounded, the ray is taken to leave the box a little further away.
   static double entry(const Box& box, const Vec3& origin, const Vec3& inverse) {
     constexpr double kOutwards = 1 + 1e-15;
     double nearest = 0;
@@ -78,7 +82,8 @@ class BoxTree {
   }
 
   template <typename Test>
-  bool any_below(Index node, const Vec3& origin, const Vec3& inverse, const Test& test) const {
+  bool any_along_below(Index node, const Vec3& origin, const Vec3& inverse,
+                       const Test& test) const {
     const Node& n = nodes_[node];
     if (n.right != 0) {
       Index near = node + 1;
@@ -89,18 +94,19 @@ class BoxTree {
         std::swap(near, far);
         std::swap(near_entry, far_entry);
       }
-      return (near_entry < kMissed && any_below(near, origin, inverse, test)) ||
-             (far_entry < kMissed && any_below(far, origin, inverse, test));
+      return (near_entry < kMissed && any_along_below(near, origin, inverse, test)) ||
+             (far_entry < kMissed && any_along_below(far, origin, inverse, test));
     }
     for (Index i = n.begin; i < n.end; ++i) {
-      const Index thing = order_[i];
-      if (entry(boxes_[thing], origin, inverse) < kMissed && test(thing)) return true;
+      const Index box = order_[i];
+      if (entry(boxes_[box], origin, inverse) < kMissed && test(box)) return true;
     }
     return false;
   }
 
+  // i and j are places in order_.
   template <typename Visit>
-  void test(Index i, Index j, const Visit& visit) const {
+  void visit_if_meeting(Index i, Index j, const Visit& visit) const {
     if (meet(boxes_[order_[i]], boxes_[order_[j]])) {
       visit(std::min(order_[i], order_[j]), std::max(order_[i], order_[j]));
     }
@@ -120,43 +126,43 @@ class BoxTree {
   }
 
   template <typename Visit>
-  void within(Index node, const Visit& visit) const {
+  void pairs_within(Index node, const Visit& visit) const {
     const Node& n = nodes_[node];
     if (n.right == 0) {
       for (Index i = n.begin; i < n.end; ++i) {
-        for (Index j = n.begin; j < i; ++j) test(i, j, visit);
+        for (Index j = n.begin; j < i; ++j) visit_if_meeting(i, j, visit);
       }
       return;
     }
-    within(node + 1, visit);
-    within(n.right, visit);
-    between(node + 1, n.right, visit);
+    pairs_within(node + 1, visit);
+    pairs_within(n.right, visit);
+    pairs_between(node + 1, n.right, visit);
   }
 
   template <typename Visit>
-  void between(Index a, Index b, const Visit& visit) const {
+  void pairs_between(Index a, Index b, const Visit& visit) const {
     const Node& m = nodes_[a];
     const Node& n = nodes_[b];
     if (!meet(m.box, n.box)) return;
     if (m.right == 0 && n.right == 0) {
       for (Index i = m.begin; i < m.end; ++i) {
-        for (Index j = n.begin; j < n.end; ++j) test(i, j, visit);
+        for (Index j = n.begin; j < n.end; ++j) visit_if_meeting(i, j, visit);
       }
       return;
     }
-    // The one with more in it is opened.
+    // Go on with the children of the node that holds more boxes.
     const bool open_first = n.right == 0 || (m.right != 0 && m.end - m.begin >= n.end - n.begin);
     if (open_first) {
-      between(a + 1, b, visit);
-      between(m.right, b, visit);
+      pairs_between(a + 1, b, visit);
+      pairs_between(m.right, b, visit);
     } else {
-      between(a, b + 1, visit);
-      between(a, n.right, visit);
+      pairs_between(a, b + 1, visit);
+      pairs_between(a, n.right, visit);
     }
   }
 
   const std::vector<Box>& boxes_;
-  std::vector<Index> order_;
+  std::vector<Index> order_;  // numbers of the boxes, those of each node side by side
   std::vector<Node> nodes_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether all faces name vertices that exist.
+// Checks that all faces name vertices that exist.
 #include "mesh/check_indices.h"
 
 #include <fmt/format.h>

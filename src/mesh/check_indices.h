@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Whether all faces name vertices that exist.
+// Checks that all faces name vertices that exist.
 #pragma once
 
 #include "kdmanifold/mesh.h"
 
 namespace kdm {
 
-/// Throws `kInvalidMesh` with the first face that does not.
+/// Throws `kInvalidMesh`, with the first face at fault, if a face names a vertex that the mesh does
+/// not have.
 void check_indices(const Mesh& mesh);
 
 }  // namespace kdm

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether coordinates can be computed with.
+// Checks that coordinates can be computed with.
 #include "mesh/check_positions.h"
 
 #include <fmt/format.h>
@@ -11,7 +11,7 @@
 namespace kdm {
 namespace {
 
-// Squares of coordinates must stay finite.
+// Squares of coordinates must be finite: the largest number is about 1.8e308.
 constexpr double kLargestCoordinate = 1e150;
 
 }  // namespace

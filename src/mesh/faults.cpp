@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sides of faces are gathered by edge, corners at a vertex joined over edges.
+// Gathers the sides of faces edge by edge, and joins corners at a vertex across the edges there.
 #include "mesh/faults.h"
 
 #include <fmt/format.h>
@@ -11,22 +11,24 @@
 #include "mesh/check_indices.h"
 #include "mesh/disjoint_sets.h"
 #include "mesh/edge_sides.h"
+#include "mesh/marks.h"
 #include "mesh/polygons.h"
 
 namespace kdm {
 namespace {
 
-// Items sorted into buckets by a key below `keys`: bucket k is [start[k], start[k + 1]).
+// Sorts items into one bucket a key; keys are below `keys`. Returns where the buckets begin: bucket
+// k is [begin[k], begin[k + 1]).
 template <typename Item, typename KeyOf>
 std::vector<std::size_t> bucket_sort(std::vector<Item>& items, std::size_t keys, KeyOf key_of) {
-  std::vector<std::size_t> start(keys + 1, 0);
-  for (const Item& item : items) ++start[key_of(item) + 1];
-  std::partial_sum(start.begin(), start.end(), start.begin());
+  std::vector<std::size_t> begin(keys + 1, 0);
+  for (const Item& item : items) ++begin[key_of(item) + 1];
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
   std::vector<Item> sorted(items.size());
-  std::vector<std::size_t> next(start.begin(), start.end() - 1);
+  std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
   for (const Item& item : items) sorted[next[key_of(item)]++] = item;
   items.swap(sorted);
-  return start;
+  return begin;
 }
 
 class Inspector {
@@ -35,7 +37,7 @@ class Inspector {
       : faces_(mesh),
         vertices_(mesh.positions.size()),
         degenerate_(faces_.size()),
-        vertex_faults_(vertices_),
+        vertex_at_fault_(vertices_),
         edges_of_(faces_.size()),
         parts_(faces_.size()),
         fans_(4 * std::size_t{faces_.size()}) {}
@@ -50,7 +52,8 @@ class Inspector {
   }
 
  private:
-  // Corner k of a face.
+  // Returns the number of corner k of a face, and of the side that starts there. Triangles leave
+  // every fourth number unused.
   static Index corner(Index face, Index k) { return 4 * face + k; }
 
   void find_degenerate() {
@@ -58,9 +61,11 @@ class Inspector {
       const Index* v = faces_[face];
       const Index n = faces_.corners(face);
       for (Index i = 0; i < n; ++i) {
-        for (Index j = 0; j < i; ++j) degenerate_[face] |= v[i] == v[j];
+        for (Index j = 0; j < i; ++j) {
+          if (v[i] == v[j]) degenerate_.set(face);
+        }
       }
-      if (degenerate_[face]) faults_.degenerate_faces.push_back(face);
+      if (degenerate_.test(face)) faults_.degenerate_faces.push_back(face);
     }
   }
 
@@ -72,18 +77,18 @@ class Inspector {
     std::vector<Key> keys;
     keys.reserve(faces_.size());
     for (Index face = 0; face < faces_.size(); ++face) {
-      if (degenerate_[face]) continue;
+      if (degenerate_.test(face)) continue;
       Key key = {{kNone, kNone, kNone, kNone}, face};
       std::copy(faces_[face], faces_[face] + faces_.corners(face), key.vertices.begin());
       std::sort(key.vertices.begin(), key.vertices.end());
       keys.push_back(key);
     }
-    const auto start = bucket_sort(keys, vertices_, [](const Key& key) { return key.vertices[0]; });
+    const auto begin = bucket_sort(keys, vertices_, [](const Key& key) { return key.vertices[0]; });
     for (std::size_t v = 0; v < vertices_; ++v) {
-      std::sort(keys.data() + start[v], keys.data() + start[v + 1], [](const Key& a, const Key& b) {
+      std::sort(keys.data() + begin[v], keys.data() + begin[v + 1], [](const Key& a, const Key& b) {
         return a.vertices != b.vertices ? a.vertices < b.vertices : a.face < b.face;
       });
-      for (std::size_t i = start[v] + 1; i < start[v + 1]; ++i) {
+      for (std::size_t i = begin[v] + 1; i < begin[v + 1]; ++i) {
         if (keys[i].vertices == keys[i - 1].vertices) {
           faults_.duplicate_faces.push_back(keys[i].face);
         }
@@ -92,19 +97,17 @@ class Inspector {
     std::sort(faults_.duplicate_faces.begin(), faults_.duplicate_faces.end());
   }
 
-  // Sides have the numbers of the corners that they run from.
   void find_edges() {
     const EdgeSides edges(static_cast<Index>(vertices_), [&](const auto& visit) {
       for (Index face = 0; face < faces_.size(); ++face) {
-        if (degenerate_[face]) continue;
+        if (degenerate_.test(face)) continue;
         const Index* v = faces_[face];
         const Index last = faces_.corners(face) - 1;
         for (Index k = 0; k < last; ++k) visit(v[k], v[k + 1], corner(face, k));
         visit(v[last], v[0], corner(face, last));
       }
     });
-    edges.for_each_edge(
-        [&](Index low, std::span<const EdgeSide> sides) { close_edge(low, sides); });
+    edges.for_each_edge([&](Index low, std::span<const EdgeSide> sides) { add_edge(low, sides); });
     for (BoundaryEdge& edge : faults_.boundary_edges) {
       for (Index& fan : edge.fans) fan = fans_.find(fan);
     }
@@ -118,8 +121,8 @@ class Inspector {
   Index low_corner(const EdgeSide& side) const { return side.forward ? side.side : end_of(side); }
   Index high_corner(const EdgeSide& side) const { return side.forward ? end_of(side) : side.side; }
 
-  // All sides along one edge.
-  void close_edge(Index low, std::span<const EdgeSide> sides) {
+  // Counts an edge, given all sides along it, and joins what it joins.
+  void add_edge(Index low, std::span<const EdgeSide> sides) {
     const EdgeSide& first = sides[0];
     const Edge ascending = {low, first.upper};
     std::uint8_t& found = edges_of_[face_of(first)].found;
@@ -137,7 +140,8 @@ class Inspector {
     } else if (sides.size() > 2) {
       found |= kNonManifold;
       faults_.non_manifold_edges.push_back(ascending);
-      vertex_faults_[low] = vertex_faults_[first.upper] = true;
+      vertex_at_fault_.set(low);
+      vertex_at_fault_.set(first.upper);
     }
     for (std::size_t i = 1; i < sides.size(); ++i) {
       parts_.join(face_of(sides[i - 1]), face_of(sides[i]));
@@ -146,11 +150,11 @@ class Inspector {
     }
   }
 
-  // A part's lowest face stands for it until now.
+  // Numbers the parts, for which their lowest faces stood until now.
   void number_parts() {
     faults_.part_of.assign(faces_.size(), kNone);
     for (Index face = 0; face < faces_.size(); ++face) {
-      if (degenerate_[face]) continue;
+      if (degenerate_.test(face)) continue;
       const Index first = parts_.find(face);
       if (first == face) {
         faults_.part_of[face] = static_cast<Index>(faults_.parts.size());
@@ -167,39 +171,39 @@ class Inspector {
     }
   }
 
-  // The corners at a vertex that edges join are a fan; a second one is a fault.
+  // Counts fans, and finds vertices with several.
   void find_split_fans() {
     std::vector<Index> fan_of(vertices_, kNone);
     for (Index face = 0; face < faces_.size(); ++face) {
-      if (degenerate_[face]) continue;
+      if (degenerate_.test(face)) continue;
       for (Index k = 0; k < faces_.corners(face); ++k) {
         const Index v = faces_[face][k];
         const Index fan = fans_.find(corner(face, k));
         if (fan == corner(face, k)) ++faults_.parts[faults_.part_of[face]].fans;
         if (fan_of[v] == kNone) fan_of[v] = fan;
-        if (fan_of[v] != fan) vertex_faults_[v] = true;
+        if (fan_of[v] != fan) vertex_at_fault_.set(v);
       }
     }
     for (Index v = 0; v < vertices_; ++v) {
       faults_.vertices += fan_of[v] != kNone;
-      if (vertex_faults_[v]) faults_.non_manifold_vertices.push_back(v);
+      if (vertex_at_fault_.test(v)) faults_.non_manifold_vertices.push_back(v);
     }
   }
 
-  // What was found on the edges that a face is the first to use.
+  // What was found on the edges whose lowest side belongs to a face.
   struct Edges {
     std::uint8_t count = 0;
-    std::uint8_t found = 0;
+    std::uint8_t found = 0;  // bits as below
   };
   static constexpr std::uint8_t kUnbalanced = 1, kMisoriented = 2, kNonManifold = 4;
 
   Polygons faces_;
   std::size_t vertices_;
-  std::vector<char> degenerate_;
-  std::vector<char> vertex_faults_;
-  std::vector<Edges> edges_of_;
-  DisjointSets parts_;
-  DisjointSets fans_;
+  Marks degenerate_;             // faces
+  Marks vertex_at_fault_;        // vertices
+  std::vector<Edges> edges_of_;  // per face
+  DisjointSets parts_;           // of faces
+  DisjointSets fans_;            // of corners
   MeshFaults faults_;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What keeps an index mesh from being 2-manifold, one by one: `describe` counts it, `analyze` lists
-// it.
+// Finds what keeps an index mesh from being 2-manifold. `describe` counts what is found here, and
+// `analyze` lists it.
 #pragma once
 
 #include <vector>
@@ -9,41 +9,43 @@
 
 namespace kdm {
 
-/// An edge with one face, in the direction in which that runs along it.
+/// An edge with one face.
 struct BoundaryEdge {
-  Edge vertices;
-  std::array<Index, 2> fans;  ///< at its two ends: corners at one vertex that edges join share one
+  Edge vertices;  ///< in the direction in which the face runs along the edge
+  /// The fans that the edge is part of at its two ends. A fan consists of the faces at a vertex
+  /// that are joined by edges; its number is that of one of the corners.
+  std::array<Index, 2> fans;
   Index face;
 };
 
-/// Faces joined by edges.
+/// A part of a mesh: faces joined by edges.
 struct PartTopology {
-  Index first_face = kNone;
+  Index first_face = kNone;  ///< the lowest of its faces
   Index faces = 0;
   Index edges = 0;
-  Index fans = 0;        ///< its vertices, those where parts of it only touch counted apart
+  Index fans = 0;        ///< like its vertices, but one counts once for each fan there
   bool manifold = true;  ///< no edge has three or more faces
   bool balanced = true;  ///< every edge is used equally often in both directions
   bool agreeing = true;  ///< no edge with two faces is used twice in one direction
 };
 
-/// Faces with a repeated vertex are listed and take no other part. Lists ascend; edges do so by
-/// the lower, then by the higher vertex.
+/// The faults of a mesh, and its parts. Faces with a repeated vertex are listed as degenerate and
+/// play no other role. Lists ascend; edges do so by their lower, then by their higher vertex.
 struct MeshFaults {
   std::vector<BoundaryEdge> boundary_edges;
-  std::vector<Edge> non_manifold_edges;  ///< lower vertex first; three or more faces
-  std::vector<Edge> misoriented_edges;   ///< lower vertex first; two faces that run the same way
-  std::vector<Index> non_manifold_vertices;
-  std::vector<Index> degenerate_faces;
-  std::vector<Index> duplicate_faces;  ///< over the vertices of a face with a lower number
-  std::vector<Index> part_of;          ///< one a face; kNone for degenerate ones
-  std::vector<PartTopology> parts;     ///< in order of their first faces
-  Index edges = 0;
-  Index vertices = 0;  ///< that faces use
+  std::vector<Edge> non_manifold_edges;      ///< with three or more faces; lower vertex first
+  std::vector<Edge> misoriented_edges;       ///< with two faces that run the same way; lower first
+  std::vector<Index> non_manifold_vertices;  ///< with several fans, or at a non-manifold edge
+  std::vector<Index> degenerate_faces;       ///< with a repeated vertex
+  std::vector<Index> duplicate_faces;        ///< over the vertices of a face with a lower number
+  std::vector<Index> part_of;                ///< per face its part; kNone for degenerate ones
+  std::vector<PartTopology> parts;           ///< in order of their first faces
+  Index edges = 0;                           ///< how many there are
+  Index vertices = 0;                        ///< how many are used by faces
 };
 
-/// Linear in the faces up to sorting. Throws `kInvalidMesh` if a face names a vertex that does not
-/// exist or there are 2^29 faces or more.
+/// Finds the faults of a mesh in time linear in the faces, up to sorting. Throws `kInvalidMesh` if
+/// a face names a vertex that does not exist or there are 2^29 faces or more.
 MeshFaults find_faults(const Mesh& mesh);
 
 }  // namespace kdm

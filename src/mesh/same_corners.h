@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Triangles over the same three corners.
+// Finds triangles over the same three points.
 #pragma once
 
 #include <algorithm>
@@ -8,21 +8,22 @@
 #include <span>
 #include <vector>
 
-#include "kdmanifold/types.h"
+#include "mesh/numbers.h"
 
 namespace kdm {
 
-/// A triangle from its lowest corner on, turned so that the second corner is lower than the third.
+/// A triangle with its points in ascending order. The lowest one is not kept: it is the same for
+/// all triangles of a group.
 struct SortedCorners {
-  Index second;
-  Index third;
-  bool turned;
-  Index triangle;
+  PointId second;
+  PointId third;
+  bool turned;  ///< the triangle runs through its points in descending order
+  TriangleId triangle;
 };
 
-/// Calls `visit(group)` for the triangles over each set of three corners, in order of their
-/// numbers. Linear time for meshes of bounded valence: triangles are bucketed by their lowest
-/// corner, the short buckets sorted.
+/// Calls `visit(group)` for each set of three points with the triangles over it, ascending by their
+/// numbers. `points` is above all corner numbers. Takes linear time if no point has very many
+/// triangles: they are put into one bucket a lowest point, and the short buckets sorted.
 template <typename Visit>
 void for_each_corner_set(std::span<const Triangle> triangles, Index points, const Visit& visit) {
   const auto lowest = [](const Triangle& t) {
@@ -33,14 +34,14 @@ void for_each_corner_set(std::span<const Triangle> triangles, Index points, cons
   std::partial_sum(bucket.begin(), bucket.end(), bucket.begin());
   std::vector<SortedCorners> keys(triangles.size());
   std::vector<Index> fill(bucket.begin(), bucket.end() - 1);
-  for (Index i = 0; i < triangles.size(); ++i) {
+  for (TriangleId i = 0; i < triangles.size(); ++i) {
     const Triangle& t = triangles[i];
     const int k = lowest(t);
-    const Index b = t[(k + 1) % 3];
-    const Index c = t[(k + 2) % 3];
+    const PointId b = t[(k + 1) % 3];
+    const PointId c = t[(k + 2) % 3];
     keys[fill[t[k]]++] = {std::min(b, c), std::max(b, c), b > c, i};
   }
-  for (Index p = 0; p < points; ++p) {
+  for (PointId p = 0; p < points; ++p) {
     const auto end = keys.begin() + bucket[p + 1];
     std::sort(keys.begin() + bucket[p], end, [](const SortedCorners& a, const SortedCorners& b) {
       return std::array{a.second, a.third, a.triangle} < std::array{b.second, b.third, b.triangle};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Coordinates of about 1, for exact arithmetic whose products must stay in range.
+// Scales coordinates by powers of two.
 #include "mesh/scale.h"
 
 #include <algorithm>
@@ -9,6 +9,7 @@ namespace kdm {
 
 namespace {
 
+// Returns the exponent of the power of two next above the number.
 int exponent_of(double largest) {
   int exponent = 0;
   std::frexp(largest, &exponent);

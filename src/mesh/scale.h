@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Coordinates of about 1, for exact arithmetic whose products must stay in range.
+// Scales coordinates to about 1, for arithmetic whose products must neither overflow nor underflow.
 #pragma once
 
 #include <span>
@@ -9,19 +9,22 @@
 
 namespace kdm {
 
+/// Positions times a power of two, so that no coordinate exceeds 1.
 struct ScaledPositions {
-  std::vector<Vec3> positions;  ///< at most 1: the given ones times 2^-exponent
+  std::vector<Vec3> positions;  ///< the given ones times 2^-exponent
   int exponent = 0;
 };
 
-/// Rounds nothing, as long as coordinates do not differ by factors of 1e300.
+/// Scales positions by the largest coordinate of all. Nothing is rounded, as long as coordinates do
+/// not differ by factors of 1e300.
 ScaledPositions scale_to_one(const std::vector<Vec3>& positions);
 
-/// The same by the corners of these triangles: positions that none uses may lie anywhere.
+/// Scales positions by the largest coordinate of the triangles' corners. Positions that no triangle
+/// uses may come out larger than 1.
 ScaledPositions scale_to_one(const std::vector<Vec3>& positions,
                              std::span<const Triangle> triangles);
 
-/// Each times 2^exponent.
+/// Returns each position times 2^exponent.
 std::vector<Vec3> scaled(const std::vector<Vec3>& positions, int exponent);
 
 }  // namespace kdm
