@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// KDM_ASSERT: internal rules, checked in debug builds and in all tests.
+// KDM_ASSERT(condition, rule) throws `kInternal`, with the rule in words, if the condition does not
+// hold. It checks rules that hold by construction, and does nothing where NDEBUG is defined.
 #pragma once
 
 #ifdef NDEBUG

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Distances from a point.
+// Squared distances between points and parts of triangles.
 #pragma once
 
 #include <algorithm>
@@ -8,6 +8,7 @@
 
 namespace kdm {
 
+/// Returns the squared distance of p from the segment from a to b.
 inline double squared_distance(const Vec3& p, const Vec3& a, const Vec3& b) {
   const Vec3 along = b - a;
   const double length = along.squaredNorm();
@@ -15,12 +16,13 @@ inline double squared_distance(const Vec3& p, const Vec3& a, const Vec3& b) {
   return (p - a - t * along).squaredNorm();
 }
 
-/// To a triangle; where it has no area, to its sides.
+/// Returns the squared distance of p from the triangle (a, b, c), which may be without area.
 inline double squared_distance(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 u = b - a;
   const Vec3 v = c - a;
   const Vec3 w = p - a;
-  // Barycentric coordinates of the foot, times `area`.
+  // s and t are the barycentric coordinates of the foot of the perpendicular, times `area`, which
+  // is four times the square of the triangle's area.
   const double uu = u.dot(u);
   const double uv = u.dot(v);
   const double vv = v.dot(v);

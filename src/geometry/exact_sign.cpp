@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Exact signs: filter, then expansions.
+// Computes signs with an error bound first, then with expansions.
 #include "geometry/exact_sign.h"
 
 #include <array>
@@ -14,14 +14,15 @@ constexpr double kAreaBound = (3 + 16 * kEpsilon) * kEpsilon;
 
 int sign_of(double value) { return value > 0 ? 1 : (value < 0 ? -1 : 0); }
 
-// a + b = sum + error, exactly.
+// Splits a + b into its rounded value and the rest: a + b = sum + error exactly.
 void two_sum(double a, double b, double& sum, double& error) {
   sum = a + b;
   const double b_part = sum - a;
   error = (a - (sum - b_part)) + (b - b_part);
 }
 
-// a * b = product + error, exactly; halves of 26 bits multiply without rounding.
+// Splits a * b likewise: a * b = product + error exactly. Halves of 26 bits multiply without
+// rounding.
 void two_product(double a, double b, double& product, double& error) {
   constexpr double kSplitter = 0x1p27 + 1;
   const double a_big = kSplitter * a;
@@ -34,7 +35,8 @@ void two_product(double a, double b, double& product, double& error) {
   error = a_low * b_low - (((product - a_high * b_high) - a_low * b_high) - a_high * b_low);
 }
 
-// A sum of doubles that do not overlap, of growing magnitude: its sign is that of the last one.
+// An exact number: the sum of doubles that do not overlap, of growing magnitude. Its sign is that
+// of the last one.
 template <int kCapacity>
 struct Expansion {
   std::array<double, kCapacity> terms;
@@ -52,7 +54,7 @@ struct Expansion {
     size = kept;
   }
 
-  // A product of two terms takes two.
+  // The exact product of two terms takes two terms.
   template <int kFirst, int kSecond>
   void add_product(const Expansion<kFirst>& a, const Expansion<kSecond>& b, double sign = 1) {
     static_assert(2 * kFirst * kSecond <= kCapacity);
@@ -114,9 +116,10 @@ int volume_sign(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
     determinant += ad[k] * (first - second);
     permanent += std::abs(ad[k]) * (std::abs(first) + std::abs(second));
   }
-  // One rounding more than in the paper's bound for the sum in this order; twice it is plenty.
+  // Summed up in this order there is one rounding more than the bound in Shewchuk's paper allows
+  // for: twice the bound is plenty.
   if (std::abs(determinant) > 2 * kVolumeBound * permanent) return -sign_of(determinant);
-  // All in one plane of the axes, say: no product is other than 0.
+  // All products are 0, as where all points lie in one axis-parallel plane.
   if (permanent == 0) return 0;
   return exact_volume_sign(a, b, c, d);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The integer lattice on which every decision is made, and its tie to model coordinates.
+// The integer lattice on which every decision is made, and the map between it and model
+// coordinates.
 //
 // 20 bits an axis are chosen so that every predicate fits 64-bit integers: the largest value is
 // six times the volume of a tetrahedron in the root cube, at most 2 * (2^20)^3 = 2^61.
@@ -15,14 +16,17 @@
 
 namespace kdm {
 
+/// How many bits a lattice coordinate has.
 inline constexpr int kLatticeBits = 20;
 /// The root cell is the cube [0, kLatticeSize]^3.
 inline constexpr std::int32_t kLatticeSize = std::int32_t{1} << kLatticeBits;
-/// Input stays this far from the root cell's sides, so that the root's edges are outside. Odd, so
-/// that no halving plane touches the model's extremes: a tip in a plane would reach through it
-/// infinitely little, which no split resolves.
+/// The least distance of the input from the root cell's sides, in lattice units. It keeps the root
+/// cell's edges outside the solid. It is odd, so that no plane that halves cells again and again
+/// passes through the model's extreme points: a tip in a plane would reach through it infinitely
+/// little, which no split resolves.
 inline constexpr std::int32_t kLatticeMargin = kLatticeSize / 256 + 1;
 
+/// A point of the lattice, in lattice units.
 using LatticePoint = std::array<std::int32_t, 3>;
 
 /// Returns the point's coordinates, in lattice units, as floating-point numbers.
@@ -34,9 +38,10 @@ struct LatticeBox {
   LatticePoint hi{kLatticeSize, kLatticeSize, kLatticeSize};
 };
 
+/// Returns the length of the box along an axis, in lattice units.
 inline std::int32_t extent(const LatticeBox& box, int axis) { return box.hi[axis] - box.lo[axis]; }
 
-/// The first of them, if several are.
+/// Returns the axis along which the box is longest; if there are several, the first.
 inline int longest_axis(const LatticeBox& box) {
   int axis = 0;
   for (int i = 1; i < 3; ++i) {
@@ -45,14 +50,16 @@ inline int longest_axis(const LatticeBox& box) {
   return axis;
 }
 
-/// Corners of an input triangle, rounded to the lattice.
+/// The corners of an input triangle, rounded to the lattice.
 using LatticeTriangle = std::array<LatticePoint, 3>;
 
-/// The two axes that follow `axis` in cyclic order: (u, v, axis) is right-handed.
+/// Return the two axes that follow `axis` in cyclic order. With u and v for them, the axes (u, v,
+/// axis) are right-handed.
 constexpr int next_axis(int axis) { return axis == 2 ? 0 : axis + 1; }
 constexpr int previous_axis(int axis) { return axis == 0 ? 2 : axis - 1; }
 
-/// A corner of the rectangle that a plane normal to `axis` has in common with the box.
+/// Returns a corner of the rectangle in which the box meets the plane `value` of `axis`: the one at
+/// the high or the low end on the next and on the previous axis.
 inline LatticePoint corner_on_plane(const LatticeBox& box, int axis, std::int32_t value,
                                     bool high_next, bool high_previous) {
   const int u = next_axis(axis);
@@ -64,30 +71,33 @@ inline LatticePoint corner_on_plane(const LatticeBox& box, int axis, std::int32_
   return p;
 }
 
-/// The map between model coordinates and lattice coordinates: the same step on every axis.
+/// Maps model coordinates to lattice coordinates and back. The step is the same on every axis.
 struct Lattice {
   Vec3 origin = Vec3::Zero();  ///< model coordinates of lattice point (0, 0, 0)
   double step = 1;             ///< model units per lattice unit
 
-  /// Unrounded lattice coordinates.
+  /// Returns lattice coordinates, not rounded.
   Vec3 to_lattice(const Vec3& model) const { return (model - origin) / step; }
+  /// Returns model coordinates.
   Vec3 to_model(const Vec3& lattice) const { return origin + lattice * step; }
+  /// Returns the lattice point nearest to a point in model coordinates.
   LatticePoint quantise(const Vec3& model) const {
-    const Vec3 real = to_lattice(model);
-    return {static_cast<std::int32_t>(std::floor(real[0] + 0.5)),
-            static_cast<std::int32_t>(std::floor(real[1] + 0.5)),
-            static_cast<std::int32_t>(std::floor(real[2] + 0.5))};
+    const Vec3 exact = to_lattice(model);
+    return {static_cast<std::int32_t>(std::floor(exact[0] + 0.5)),
+            static_cast<std::int32_t>(std::floor(exact[1] + 0.5)),
+            static_cast<std::int32_t>(std::floor(exact[2] + 0.5))};
   }
 };
 
-/// The lattice that puts `bounds` in the middle of the root cell, with the margin on its longest
-/// axis. A box without extent gets a step of one model unit. Where coordinates are so far from zero
-/// that rounding the origin would use up the margin, the step is larger.
+/// Returns the lattice that puts the box `bounds`, in model units, in the middle of the root cell
+/// and leaves `kLatticeMargin` at the ends of its longest axis. A box without extent gets a step of
+/// one model unit. If coordinates are so far from zero that rounding the origin would use up the
+/// margin, the step is larger.
 inline Lattice lattice_over(const Box& bounds) {
   const double extent = (bounds.max - bounds.min).maxCoeff();
   Lattice lattice;
   lattice.step = extent > 0 ? extent / (kLatticeSize - 2 * kLatticeMargin) : 1.0;
-  // Below normal numbers a quotient says nothing; such a box counts as a point.
+  // Quotients of subnormal numbers mean nothing: so small a box counts as a point.
   lattice.step = std::max(lattice.step, std::numeric_limits<double>::min());
   const Vec3 centre = bounds.min + 0.5 * (bounds.max - bounds.min);
   for (;;) {
@@ -101,7 +111,8 @@ inline Lattice lattice_over(const Box& bounds) {
   }
 }
 
-/// A point in model units as it is handed out in 32 bits.
+/// Converts a point from lattice to model coordinates, rounded to the 32-bit floats in which meshes
+/// are handed out.
 inline Vec3 single_precision(const Lattice& lattice, const Vec3& point) {
   return lattice.to_model(point).cast<float>().cast<double>();
 }

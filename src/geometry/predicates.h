@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Exact answers to the three questions that construction asks, with one perturbation for all ties.
+// Decides exactly on which side of what a point lies, with one perturbation that resolves all ties.
 //
 // The mesh is read as translated by (-e, -e^2, -e^3), e infinitesimal, which is the same as every
 // grid point shifted by (+e, +e^2, +e^3). Then no grid plane contains a mesh vertex, no grid line
@@ -12,13 +12,16 @@
 
 namespace kdm {
 
-/// Is a mesh vertex with this coordinate below the lattice plane `plane` of the same axis?
+/// Tells whether a mesh vertex with this coordinate is below the lattice plane `plane` of that
+/// axis.
 constexpr bool below_plane(std::int32_t coordinate, std::int32_t plane) {
   return coordinate <= plane;
 }
 
-/// Sign of the area of (a, b, p) projected along `axis` onto (next, previous) axes, p a grid point
-/// given by its two coordinates there. Zero only if a and b project to one point.
+/// Returns the sign of the area of the triangle (a, b, p), seen along `axis`: 1 if p is to the left
+/// of the mesh edge from a to b in the plane of the next and the previous axis. p is a grid point,
+/// given by its coordinates pu and pv on these two axes. Returns 0 only if a and b are seen as one
+/// point.
 inline int side_of_edge(const LatticePoint& a, const LatticePoint& b, int axis, std::int32_t pu,
                         std::int32_t pv) {
   const int u = next_axis(axis);
@@ -34,15 +37,16 @@ inline int side_of_edge(const LatticePoint& a, const LatticePoint& b, int axis, 
   return second > 0 ? 1 : (second < 0 ? -1 : 0);
 }
 
-/// Does the grid line along `axis` through (pu, pv) meet the triangle? 0: no; else the sign of the
-/// triangle's normal along `axis`.
+/// Tells whether the grid line along `axis` through (pu, pv) meets the triangle. Returns 0 if it
+/// does not, else the sign of the triangle's normal along `axis`.
 inline int line_crosses(const LatticeTriangle& t, int axis, std::int32_t pu, std::int32_t pv) {
   const int first = side_of_edge(t[0], t[1], axis, pu, pv);
   if (first == 0 || side_of_edge(t[1], t[2], axis, pu, pv) != first) return 0;
   return side_of_edge(t[2], t[0], axis, pu, pv) == first ? first : 0;
 }
 
-/// Twice the triangle's area vector. Each component is at most 2^40.
+/// Returns twice the triangle's area vector, which points along its normal, in squared lattice
+/// units. Each component is at most 2^40.
 inline std::array<std::int64_t, 3> area_vector(const LatticeTriangle& t) {
   std::array<std::int64_t, 3> e{}, f{};
   for (int i = 0; i < 3; ++i) {
@@ -52,7 +56,7 @@ inline std::array<std::int64_t, 3> area_vector(const LatticeTriangle& t) {
   return {e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0]};
 }
 
-/// Does the triangle's normal point up the axis?
+/// Tells whether the triangle's normal points up the axis.
 inline bool points_up(const LatticeTriangle& t, int axis) { return area_vector(t)[axis] > 0; }
 
 /// A position on a grid line, in units of 2^-12 lattice steps. Its integer part is exact: the
@@ -61,13 +65,15 @@ using LinePosition = std::uint32_t;
 inline constexpr int kFractionBits = 12;
 inline constexpr double kFractionUnit = 1.0 / (1 << kFractionBits);
 
+/// Returns the lattice plane at or next below a position.
 constexpr std::int32_t floor_of(LinePosition position) {
   return static_cast<std::int32_t>(position >> kFractionBits);
 }
+/// Returns a position in lattice units.
 constexpr double real_position(LinePosition position) { return position * kFractionUnit; }
 
-/// Where the grid line along `axis` through (pu, pv) meets the triangle's plane; to be asked only
-/// when `line_crosses` said yes.
+/// Returns where the grid line along `axis` through (pu, pv) meets the triangle, which it must
+/// (`line_crosses`).
 inline LinePosition crossing_position(const LatticeTriangle& t, int axis, std::int32_t pu,
                                       std::int32_t pv) {
   const int u = next_axis(axis);
@@ -78,7 +84,7 @@ inline LinePosition crossing_position(const LatticeTriangle& t, int axis, std::i
   const std::int64_t denominator = up ? normal[axis] : -normal[axis];
   const std::int64_t offset = normal[u] * (pu - t[0][u]) + normal[v] * (pv - t[0][v]);
   const std::int64_t numerator = up ? -offset : offset;
-  // The rounded quotient is off by one at most; the remainder puts it right.
+  // The rounded quotient is wrong by one at most; the remainder tells, and corrects it.
   auto quotient = static_cast<std::int64_t>(
       std::floor(static_cast<double>(numerator) / static_cast<double>(denominator)));
   std::int64_t remainder = numerator - quotient * denominator;

@@ -17,8 +17,9 @@ int PrimalQuadric::rank(const Vec3& values, double cutoff) {
   return rank;
 }
 
-// The pseudo-inverse times b. By Cayley and Hamilton, in the plane of the first two eigenvectors
-// the inverse is (l0 + l1 - A) / (l0 l1).
+// Multiplies b by the pseudo-inverse of A. By the theorem of Cayley and Hamilton, A has the inverse
+// (l0 + l1 - A) / (l0 l1) in the plane of its first two eigenvectors, whose eigenvalues are l0 and
+// l1.
 Vec3 PrimalQuadric::minimiser(double cutoff) const {
   const Vec3 values = eigenvalues(a_);
   switch (rank(values, cutoff)) {
@@ -59,14 +60,15 @@ Vec3 PrimalQuadric::minimiser_in(const Vec3& lo, const Vec3& hi, double cutoff) 
 }
 
 Vec3 PrimalQuadric::boundary_minimiser(const Vec3& lo, const Vec3& hi) const {
-  // A little weight on the distance to the centre makes every system regular and breaks ties
-  // where the quadric is flat.
+  // The distance to the centre counts a little: that makes every system of equations regular and
+  // breaks ties where the quadric is flat.
   constexpr double kDamping = 1e-4;
   Eigen::Matrix3d a = a_;
   a.diagonal().array() += kDamping * std::max(a_.trace(), 1e-300);
   const Vec3 low = lo - centre_;
   const Vec3 high = hi - centre_;
-  // The least value within the box is on a face that has the free minimiser beyond it, if one has.
+  // If the free minimiser is outside the box, the least value in the box is on one of the faces
+  // that it is beyond.
   const Vec3 free = solve(a, b_);
   const bool inside = (free.array() >= low.array()).all() && (free.array() <= high.array()).all();
   Vec3 best = Vec3::Zero();
@@ -85,7 +87,7 @@ Vec3 PrimalQuadric::boundary_minimiser(const Vec3& lo, const Vec3& hi) const {
       if (!inside && (high_side ? free[k] <= high[k] : free[k] >= low[k])) continue;
       Vec3 y;
       y[k] = high_side ? high[k] : low[k];
-      // The face: a 2x2 system.
+      // On a face, the minimiser solves a 2x2 system.
       const double ru = b_[u] - a(u, k) * y[k];
       const double rv = b_[v] - a(v, k) * y[k];
       const double determinant = a(u, u) * a(v, v) - a(u, v) * a(u, v);
@@ -95,7 +97,7 @@ Vec3 PrimalQuadric::boundary_minimiser(const Vec3& lo, const Vec3& hi) const {
         consider(y);
         continue;
       }
-      // Its four edges; clamping covers the corners.
+      // Else it is on one of the four edges, or on a corner: clamping covers these.
       for (const bool high_edge : {false, true}) {
         y[u] = high_edge ? high[u] : low[u];
         y[v] = (b_[v] - a(v, k) * y[k] - a(v, u) * y[u]) / a(v, v);
@@ -135,7 +137,7 @@ std::optional<Vec3> point_within(std::span<const Plane> planes, const Vec3& cent
       sum += weights[i];
     }
     if (largest <= tolerance) return x;
-    // Nowhere is the largest distance less than the least mean of squares tells.
+    // At no point is the largest distance less than the root of the least weighted mean of squares.
     if (squares > tolerance * tolerance || !(sum > 0)) return std::nullopt;
     for (double& weight : weights) weight /= sum;
   }

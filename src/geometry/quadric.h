@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The primal quadric: squared distances to a set of planes, and where they are least
+// The primal quadric: the sum of the squared distances to a set of planes, and where it is least
 // (paper 2.2.1; P. Lindstrom, Out-of-core simplification of large polygonal models, 2000).
 #pragma once
 
@@ -11,11 +11,13 @@
 
 namespace kdm {
 
-/// E(x) = sum of (n_i . x - d_i)^2, kept about a centre near the planes.
+/// The function E(x) = sum of (n_i . x - d_i)^2 over planes. It is kept relative to a centre near
+/// the planes, so that little is lost to rounding.
 class PrimalQuadric {
  public:
   explicit PrimalQuadric(const Vec3& centre) : centre_(centre) {}
 
+  /// Adds a plane.
   void add(const Plane& plane) {
     const double offset = plane.offset - plane.normal.dot(centre_);
     a_.noalias() += plane.normal * plane.normal.transpose();
@@ -23,38 +25,40 @@ class PrimalQuadric {
     c_ += offset * offset;
   }
 
+  /// Returns E(x).
   double error(const Vec3& x) const {
     const Vec3 y = x - centre_;
     return y.dot(a_ * y) - 2 * b_.dot(y) + c_;
   }
 
-  /// Per coordinate, how much of it the planes determine: 1 where the minimiser's is unique, 0
-  /// where it may be moved at will. Sums up to the rank.
+  /// Returns for each coordinate how far the planes determine it: 1 if only one value is right for
+  /// a minimiser, 0 if any value is. The three add up to the rank.
   Vec3 certainty() const;
 
-  /// The minimiser nearest to the centre, directions with an eigenvalue below `cutoff` of the
-  /// largest left alone.
+  /// Returns a point at which E is least; of several the one nearest to the centre. Directions
+  /// whose eigenvalue is at most `cutoff` times the largest count as undetermined.
   Vec3 minimiser(double cutoff = kRankCutoff) const;
 
-  /// The same within a box that holds the centre. If the free minimiser is outside, the least
-  /// value on the box's faces, edges and corners counts (P. Lindstrom, C. Silva, A memory
-  /// insensitive technique for large model simplification, 2001).
+  /// Returns a point of the box at which E is least. The box must hold the centre. If `minimiser`
+  /// is outside the box, the least value on the box's faces, edges and corners counts (P.
+  /// Lindstrom, C. Silva, A memory insensitive technique for large model simplification, 2001).
   Vec3 minimiser_in(const Vec3& lo, const Vec3& hi, double cutoff = kRankCutoff) const;
 
-  /// The minimiser, or the point of the box nearest to it if it is outside.
+  /// Returns `minimiser`, or the point of the box nearest to it if it is outside the box.
   Vec3 minimiser_projected(const Vec3& lo, const Vec3& hi) const {
     return minimiser().cwiseMax(lo).cwiseMin(hi);
   }
 
-  /// Eigenvalues are sums of squares of unit normals' parts, so this is a matter of angles alone:
-  /// what counts in a leaf of any size bends the surface by a tenth of that size or more.
-  /// Normals that differ by less than about 6 degrees from one plane count as that plane.
+  /// The usual cutoff. Eigenvalues are sums of squares of components of unit normals, so it depends
+  /// on angles alone: normals that differ from a common one by less than about 6 degrees count as
+  /// one plane. So in a leaf of any size, a surface counts as bent if it leaves a plane by about a
+  /// tenth of the leaf's size.
   static constexpr double kRankCutoff = 0.01;
-  /// The same for half a degree: for what the coarser rank leaves out of tolerance.
+  /// A cutoff that corresponds to half a degree, for where the usual one misses the tolerance.
   static constexpr double kFineCutoff = 1e-4;
 
  private:
-  // How many of the eigenvalues are not below `cutoff` of the largest.
+  // Returns how many eigenvalues are above `cutoff` times the largest.
   static int rank(const Vec3& values, double cutoff);
   Vec3 boundary_minimiser(const Vec3& lo, const Vec3& hi) const;
 
@@ -64,14 +68,15 @@ class PrimalQuadric {
   double c_ = 0;
 };
 
-/// A minimiser and the largest distance to its planes.
+/// A point, and its largest distance to the planes that it should lie in.
 struct Minimiser {
   Vec3 point;
   double residual;
 };
 
-/// `minimiser_in` by the coarse rank if its residual, the largest distance to the planes, is well
-/// within the tolerance, else by the fine one if that is nearer.
+/// Returns `minimiser_in` with the usual cutoff, or with the fine one if the former misses half the
+/// tolerance and the latter is nearer. `residual(x)` must return the largest distance of x to the
+/// planes.
 template <typename Residual>
 Minimiser minimiser_within(const PrimalQuadric& quadric, const Vec3& lo, const Vec3& hi,
                            double tolerance, const Residual& residual) {
@@ -83,10 +88,11 @@ Minimiser minimiser_within(const PrimalQuadric& quadric, const Vec3& lo, const V
   return fine_off < off ? Minimiser{fine, fine_off} : Minimiser{coarse, off};
 }
 
-/// A point of the box within the tolerance of all planes, if one is found: weights grow where
-/// planes are far until none is too far (C. L. Lawson, Contributions to the theory of linear least
-/// maximum approximation, 1961). Planes that count often draw the plain minimiser away from the
-/// others.
+/// Looks for a point of the box within the tolerance of all planes. Where many planes are nearly
+/// the same, they draw the plain minimiser away from the others; here the weights of distant planes
+/// grow step by step until none is too far (C. L. Lawson, Contributions to the theory of linear
+/// least maximum approximation, 1961). Returns nothing if there is no such point, or none was found
+/// in ten steps.
 std::optional<Vec3> point_within(std::span<const Plane> planes, const Vec3& centre, const Vec3& lo,
                                  const Vec3& hi, double tolerance);
 

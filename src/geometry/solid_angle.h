@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Sums of solid angles without trigonometry, so that every platform finds the same bits.
+// Solid angles and their sums by square roots and a series, so that every platform finds the same
+// bits.
 #pragma once
 
 #include <algorithm>
@@ -11,17 +12,19 @@
 
 namespace kdm {
 
-/// Adds up angles given as directions in the plane, by multiplying these as complex numbers: one
-/// arc tangent at the end, however many there are.
+/// Adds up angles, each given as a direction (re, im) in the plane. It multiplies the directions as
+/// complex numbers and counts full turns, so that one arc tangent is enough for any number of
+/// angles.
 class AngleSum {
  public:
-  /// The angle of (re, im), in (-pi, pi]; (0, 0) counts as none. Neither is beyond 1e100, nor both
-  /// below 1e-100.
+  /// Adds the angle of (re, im), which is in (-pi, pi]; (0, 0) adds nothing. Neither number may
+  /// exceed 1e100, and not both may be smaller than 1e-100.
   void add(double re, double im) {
     if (re == 0 && im == 0) return;
     const double product_re = re_ * re - im_ * im;
     const double product_im = re_ * im + im_ * re;
-    // Of two angles in one half-plane the sum may lie in the other; two of pi are a turn.
+    // If the directions of two angles are in one half-plane and that of their sum is in the other,
+    // the sum has passed half a turn. Two angles of pi are a full turn.
     const bool whole = product_im == 0 && product_re > 0 && re < 0;
     if (im_ >= 0 && im >= 0 && (product_im < 0 || whole)) ++turns_;
     if (im_ < 0 && im < 0 && product_im >= 0) --turns_;
@@ -34,7 +37,7 @@ class AngleSum {
     }
   }
 
-  /// The sum in full turns.
+  /// Returns the sum in full turns.
   double turns() const {
     constexpr double kTurn = 6.283185307179586;
     double angle = 0;
@@ -53,8 +56,9 @@ class AngleSum {
   double turns_ = 0;
 };
 
-/// Half the solid angle that a triangle fills seen from the origin, as a direction in the plane
-/// (van Oosterom and Strackee 1983): positive where its back is seen.
+/// Half the solid angle that a triangle fills, seen from the origin, as a direction in the plane
+/// for `AngleSum` (A. van Oosterom, J. Strackee, The solid angle of a plane triangle, 1983). It is
+/// positive where the triangle's back is seen.
 struct HalfSolidAngle {
   double re;
   double im;
@@ -69,9 +73,10 @@ struct HalfSolidAngle {
   }
 };
 
-/// How the solid angle that a triangle fills changes as the point moves that its corners are seen
-/// from: only its outline matters (as the magnetic field of a current along it, Biot and Savart).
-/// On the outline, where it is infinite, that side is left out.
+/// Returns the gradient of the solid angle that a triangle fills: how it changes as the point moves
+/// from which the triangle is seen. The corners are given relative to that point. The gradient is a
+/// sum over the triangle's sides, like the magnetic field of a current along them (law of Biot and
+/// Savart). A side that passes through the point, where the gradient is infinite, is left out.
 inline Vec3 solid_angle_gradient(const std::array<Vec3, 3>& corners) {
   Vec3 sum = Vec3::Zero();
   for (int i = 0; i < 3; ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Roots of the characteristic polynomial, vectors from adjugates.
+// Finds roots of the characteristic polynomial, and eigenvectors in adjugates.
 #include "geometry/symmetric.h"
 
 #include <algorithm>
@@ -12,8 +12,8 @@ double determinant(const Eigen::Matrix3d& a, const Eigen::Matrix3d& adjugate) {
   return a(0, 0) * adjugate(0, 0) + a(0, 1) * adjugate(0, 1) + a(0, 2) * adjugate(0, 2);
 }
 
-// The root in [0, 0.5] of 4 e^3 + 6 e^2 = d, where d is in [0, 2]. Nothing in these Newton steps is
-// subtracted, so e is exact even where it is nearly a double root.
+// Returns the root e in [0, 0.5] of 4 e^3 + 6 e^2 = d, where d is in [0, 2]. These Newton steps
+// subtract nothing, so e is exact even where it is nearly a double root.
 double excess(double d) {
   constexpr int kSteps = 4;
   double e = std::sqrt(d / 8);
@@ -41,8 +41,8 @@ Vec3 solve(const Eigen::Matrix3d& a, const Vec3& b) {
   return c * b / determinant(a, c);
 }
 
-// With q the mean, A = q + pB: the largest eigenvalue of B is 2 cos(acos(det B / 2) / 3), which is
-// 1 + 2e for the root e above.
+// Writes A = q + pB, where q is the mean of the eigenvalues. The largest eigenvalue of B is then
+// 2 cos(acos(det B / 2) / 3), which is 1 + 2e for the root e of `excess`.
 Vec3 eigenvalues(const Eigen::Matrix3d& symmetric) {
   Eigen::Matrix3d b = symmetric;
   const double mean = (b(0, 0) + b(1, 1) + b(2, 2)) / 3;
@@ -57,7 +57,7 @@ Vec3 eigenvalues(const Eigen::Matrix3d& symmetric) {
   return {mean + p * largest, mean + p * (half - 0.5 * largest), mean - p * (half + 0.5 * largest)};
 }
 
-// All columns of the adjugate of A - lambda are multiples of it.
+// All columns of the adjugate of A - lambda are multiples of the eigenvector; the longest is taken.
 Vec3 eigenvector(const Eigen::Matrix3d& symmetric, double eigenvalue) {
   Eigen::Matrix3d a = symmetric;
   for (int i = 0; i < 3; ++i) a(i, i) -= eigenvalue;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Symmetric 3x3 matrices. Uses + - * / and square roots only, so results are the same on every
-// platform.
+// Eigenvalues, eigenvectors and inverses of symmetric 3x3 matrices, by + - * / and square roots
+// only, so that results are the same on every platform.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,17 +9,17 @@
 
 namespace kdm {
 
-/// In falling order: the first as exact as doubles are where it lies apart, so is the last, else to
-/// about 1e-8 of the largest.
+/// Returns the eigenvalues in falling order. The first and the last are as exact as doubles can be
+/// if they differ clearly from the middle one, else to about 1e-8 of the largest.
 Vec3 eigenvalues(const Eigen::Matrix3d& symmetric);
 
-/// The unit vector to an eigenvalue that differs from both others.
+/// Returns a unit vector for an eigenvalue, which must differ from both others.
 Vec3 eigenvector(const Eigen::Matrix3d& symmetric, double eigenvalue);
 
-/// The adjugate: the inverse times the determinant.
+/// Returns the adjugate: the inverse times the determinant.
 Eigen::Matrix3d adjugate(const Eigen::Matrix3d& symmetric);
 
-/// x with Ax = b for a regular matrix A.
+/// Returns x with Ax = b for a regular matrix A.
 Vec3 solve(const Eigen::Matrix3d& symmetric, const Vec3& b);
 
 }  // namespace kdm

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Separating directions between mesh elements and boxes, and clipping.
+// Looks for planes that separate mesh elements from boxes, and clips triangles.
 #include "geometry/triangle_box.h"
 
 #include <algorithm>
@@ -7,8 +7,9 @@
 namespace kdm {
 namespace {
 
-// Side of the corner line of the box that lies furthest to the given side of edge a-b, seen along
-// `axis`. Zero only if the edge is seen as a point.
+// Seen along `axis`, returns on which side of the edge from a to b that corner of the box lies
+// which is furthest to the given side (1: left, -1: right). Returns 0 only if the edge is seen as a
+// point.
 int side_of_furthest_corner(const LatticePoint& a, const LatticePoint& b, int axis,
                             const LatticeBox& box, int side) {
   const int u = next_axis(axis);
@@ -19,12 +20,13 @@ int side_of_furthest_corner(const LatticePoint& a, const LatticePoint& b, int ax
   return side_of_edge(a, b, axis, dv < 0 ? box.hi[u] : box.lo[u], du > 0 ? box.hi[v] : box.lo[v]);
 }
 
+// Tells whether mesh vertices from `low` to `high` are all below or all above the box, on one axis.
 bool separated_by_interval(std::int32_t low, std::int32_t high, std::int32_t box_low,
                            std::int32_t box_high) {
   return below_plane(high, box_low) || !below_plane(low, box_high);
 }
 
-// Sign of the triangle's plane at a grid vertex.
+// Returns on which side of the triangle's plane a grid vertex is; 1: where the normal points to.
 int side_of_plane(const LatticeTriangle& t, const std::array<std::int64_t, 3>& normal,
                   const LatticePoint& p) {
   std::int64_t value = 0;
@@ -76,7 +78,8 @@ bool triangle_meets_box(const LatticeTriangle& t, const LatticeBox& box) {
     for (int i = 0; i < 3; ++i) {
       const LatticePoint& a = t[i];
       const LatticePoint& b = t[i == 2 ? 0 : i + 1];
-      // The triangle lies to the left of its edges, seen against its normal; seen edge-on, on them.
+      // Seen against its normal the triangle lies to the left of its edges, seen edge-on it lies on
+      // them.
       if (side >= 0 && side_of_furthest_corner(a, b, axis, box, 1) < 0) return false;
       if (side <= 0 && side_of_furthest_corner(a, b, axis, box, -1) > 0) return false;
     }

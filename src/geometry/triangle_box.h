@@ -1,25 +1,33 @@
 // SPDX-License-Identifier: MIT
-// Which mesh elements meet which boxes: exact, under the perturbation of predicates.h.
+// Tells exactly which mesh elements meet which boxes, under the perturbation of predicates.h.
 //
-// Convex sets are disjoint iff one of finitely many directions separates them. Seen along an axis,
-// such a direction is a mesh edge against the corners of the box's outline, which are grid lines:
-// so every test is one of the signs of predicates.h. A box may be flat (lo == hi on one axis):
-// then it is a rectangle in a lattice plane. Volumes and areas are open sets.
+// Two convex sets are disjoint iff one of finitely many planes separates them. Such a plane is
+// normal to an axis, or contains the triangle, or contains an edge of the triangle and is parallel
+// to an axis: seen along the axis, the edge is then to one side of all corners of the box, which
+// are grid lines. So every test is one of the signs of predicates.h. A box may be flat (lo == hi on
+// one axis): then it is a rectangle in a lattice plane. Boxes and triangles count without their
+// boundaries.
 #pragma once
 
 #include "geometry/predicates.h"
 
 namespace kdm {
 
+/// Tells whether the mesh vertex is in the box.
 bool vertex_in_box(const LatticePoint& p, const LatticeBox& box);
+/// Tells whether the mesh edge from a to b meets the box.
 bool edge_meets_box(const LatticePoint& a, const LatticePoint& b, const LatticeBox& box);
+/// Tells whether the triangle meets the box.
 bool triangle_meets_box(const LatticeTriangle& t, const LatticeBox& box);
 
-/// The polygon that is left of a triangle within a box, rounded: at most nine corners.
+/// The part of a triangle that lies within a box, with rounded corners in lattice units. It has
+/// nine corners at most, and while it is cut off up to twelve.
 struct ClippedPolygon {
   std::array<Vec3, 12> corners;
   int size = 0;
 };
+
+/// Cuts off what lies outside the box.
 ClippedPolygon clip_to_box(const LatticeTriangle& t, const LatticeBox& box);
 
 }  // namespace kdm

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Whether two mesh triangles touch where they should not, exactly: from signs of tetrahedra's
-// volumes and of triangles' areas.
+// Tells exactly whether two mesh triangles touch where they should not, from signs of volumes of
+// tetrahedra and of areas of triangles.
 //
 // Two triangles meet iff an edge of one meets the other. With one shared vertex, only the edges
 // opposite to it have to be asked; with a shared edge, only whether one is folded onto the other.
-// A kernel supplies `Point`, `volume_sign(a, b, c, d)`, `area_sign(a, b, c, axis)`, and quick tests
-// of neighbours that say yes only where it is sure. On the
-// lattice both triangles move alike under the perturbation of predicates.h, so it plays no part.
+// A kernel supplies `Point`, `volume_sign(a, b, c, d)`, `area_sign(a, b, c, axis)`, and two quick
+// tests of neighbours that may answer no where the exact answer is yes. The perturbation of
+// predicates.h moves both triangles alike, so it plays no part here.
 #pragma once
 
 #include "geometry/exact_sign.h"
@@ -15,6 +15,7 @@
 
 namespace kdm {
 
+/// Decides for lattice points, in 64-bit integers.
 struct LatticeKernel {
   using Point = LatticePoint;
   static int volume_sign(const Point& a, const Point& b, const Point& c, const Point& d) {
@@ -35,6 +36,7 @@ struct LatticeKernel {
   }
 };
 
+/// Decides for points in floating point, by exact_sign.h.
 struct RealKernel {
   using Point = Vec3;
   static int volume_sign(const Point& a, const Point& b, const Point& c, const Point& d) {
@@ -44,7 +46,8 @@ struct RealKernel {
     return kdm::area_sign(a, b, c, axis);
   }
 
-  // Triangles (p, q, a) and (p, q, b): do they lead away from their edge to different sides?
+  // Tells whether the triangles (p, q, a) and (p, q, b) surely lead away from their common edge to
+  // different sides.
   static bool surely_unfolded(const Point& p, const Point& q, const Point& a, const Point& b) {
     const Vec3 edge = q - p;
     const Vec3 u = a - p;
@@ -54,7 +57,8 @@ struct RealKernel {
     return across < -kSure * length * (u.squaredNorm() + v.squaredNorm());
   }
 
-  // Triangles (p, a, b) and (p, c, d): are they on two sides of a plane through p?
+  // Tells whether the triangles (p, a, b) and (p, c, d) surely lie on two sides of a plane through
+  // p.
   static bool surely_apart(const Point& p, const Point& a, const Point& b, const Point& c,
                            const Point& d) {
     const std::array<Vec3, 2> first = {a - p, b - p};
@@ -71,24 +75,26 @@ struct RealKernel {
   }
 
  private:
-  // Rounding of a few products and differences is far below this part of the lengths involved.
+  // Rounding errors of a few products and differences are far below this part of the lengths.
   static constexpr double kSure = 1e-9;
 
-  // Of the middle between two vectors' directions.
+  // Returns the unit vector amid the directions of two vectors.
   static Vec3 direction(const std::array<Vec3, 2>& vectors) {
     const Vec3 sum = vectors[0] / vectors[0].norm() + vectors[1] / vectors[1].norm();
     return sum / sum.norm();
   }
 };
 
+/// Tests pairs of triangles for crossings.
 template <typename Kernel>
 class TriangleCrossing {
  public:
   using Point = typename Kernel::Point;
   using Corners = std::array<Point, 3>;
 
-  /// Have the two triangles, given with the numbers of their corners, more in common than the
-  /// vertices and the edge they share? Touching counts. Triangles without area meet nothing.
+  /// Tells whether the two triangles, given with the numbers of their corners, have more in common
+  /// than the vertices and the edge that they share by number. Touching counts. Triangles without
+  /// area meet nothing.
   static bool test(const Corners& a, const Triangle& a_numbers, const Corners& b,
                    const Triangle& b_numbers) {
     std::array<int, 3> in_a{};
@@ -126,7 +132,7 @@ class TriangleCrossing {
  private:
   static bool has_area(const Corners& t) { return projection(t) >= 0; }
 
-  // An axis along which the triangle is not seen as a line, or -1.
+  // Returns an axis along which the triangle is not seen as a line, or -1.
   static int projection(const Corners& t) {
     for (int axis = 0; axis < 3; ++axis) {
       if (Kernel::area_sign(t[0], t[1], t[2], axis) != 0) return axis;
@@ -134,7 +140,7 @@ class TriangleCrossing {
     return -1;
   }
 
-  // Are all corners of `other` that are not shared strictly on one side of t's plane?
+  // Tells whether all corners of `other` that are not shared are strictly on one side of t's plane.
   static bool apart(const Corners& t, const Corners& other, int shared,
                     const std::array<int, 3>& shared_corners) {
     int seen = 0;
@@ -158,7 +164,7 @@ class TriangleCrossing {
            Kernel::area_sign(a[in_a[0]], a[in_a[1]], apex_b, axis);
   }
 
-  // The edge opposite to the corner, and the triangle t.
+  // Tells whether the edge of s opposite to the corner meets the triangle t.
   static bool edge_meets(const Corners& s, int corner, const Corners& t) {
     const Point& p = s[(corner + 1) % 3];
     const Point& q = s[(corner + 2) % 3];
@@ -207,7 +213,7 @@ class TriangleCrossing {
            (ap == 0 && between(a, b, p)) || (aq == 0 && between(a, b, q));
   }
 
-  // For a point on the line of the segment.
+  // Tells whether p, which must be on the line through a and b, is between them.
   static bool between(const Point& a, const Point& b, const Point& p) {
     for (int i = 0; i < 3; ++i) {
       if (p[i] < std::min(a[i], b[i]) || p[i] > std::max(a[i], b[i])) return false;
