@@ -9,11 +9,12 @@ import {
   readFileSync,
   writeFileSync,
 } from 'node:fs';
+import { delimiter } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { jobs, root, run, setup, tool } from './run.mjs';
 
 /** Configures (once) and builds a CMake folder. */
-export function cmake(folder, settings, { targets = [], wrapper = [] } = {}) {
+export function cmake(folder, settings, { targets = [], wrapper = [], env = {} } = {}) {
   const [command, ...args] = [
     ...wrapper,
     'cmake',
@@ -30,19 +31,24 @@ export function cmake(folder, settings, { targets = [], wrapper = [] } = {}) {
   const wanted = [command, ...args].join('\n');
   if (!existsSync(`${root}/${folder}/build.ninja`) || read(stamp) !== wanted) {
     mkdirSync(`${root}/${folder}`, { recursive: true });
-    run(command, args, { env: emscriptenEnvironment });
+    run(command, args, { env });
     writeFileSync(stamp, wanted);
   }
   const chosen = targets.flatMap((target) => ['--target', target]);
-  run('cmake', ['--build', folder, '-j', jobs, ...chosen], { env: emscriptenEnvironment });
+  run('cmake', ['--build', folder, '-j', jobs, ...chosen], { env });
 }
 
-// The optimiser of Debian's Emscripten wants Debian's acorn, wherever Node itself comes from.
-const emscriptenEnvironment = existsSync('/usr/share/nodejs/acorn')
-  ? { NODE_PATH: '/usr/share/nodejs' }
-  : {};
-
 const read = (path) => (existsSync(path) ? readFileSync(path, 'utf8') : '');
+
+/**
+ * What the optimiser of Debian's Emscripten needs in order to find Debian's acorn, wherever Node
+ * itself comes from. To be asked after set-up, which brings acorn along with Emscripten.
+ */
+export function emscriptenEnvironment(libraries = '/usr/share/nodejs') {
+  if (!existsSync(`${libraries}/acorn`)) return {};
+  const given = process.env.NODE_PATH;
+  return { NODE_PATH: given ? [given, libraries].join(delimiter) : libraries };
+}
 
 export const builders = {
   native() {
@@ -53,6 +59,7 @@ export const builders = {
     setup('wasm');
     cmake('build/wasm', ['CMAKE_BUILD_TYPE=Release', 'KDM_BUILD_WASM=ON'], {
       wrapper: ['emcmake'],
+      env: emscriptenEnvironment(),
       targets: ['kdm_wasm'],
     });
   },

@@ -30,7 +30,7 @@ function seedParsers(corpus) {
   }
 }
 
-setup('test');
+setup('native', 'test');
 const folder = 'build/fuzz';
 cmake(
   folder,

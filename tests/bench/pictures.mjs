@@ -6,10 +6,8 @@
 // Controls of the page are named by their ids: `--set creases=false --set up=y`.
 import { mkdirSync } from 'node:fs';
 import { join, resolve } from 'node:path';
-import { build } from 'vite';
 import { builders } from '../../scripts/build.mjs';
-import { root } from '../../scripts/run.mjs';
-import { launch, openPage } from '../js/support/browser.js';
+import { root, setup } from '../../scripts/run.mjs';
 import { serve } from '../js/support/server.js';
 import { commandLine, modelFiles, nameOf } from './shared.mjs';
 
@@ -28,8 +26,12 @@ if (options.models.length === 0) {
 const files = modelFiles(options.models, []);
 const folder = resolve(process.env.INIT_CWD ?? process.cwd(), options.out);
 mkdirSync(folder, { recursive: true });
+setup('test');
 builders.wasm();
 builders.package();
+// Here, not at the top: both need what set-up installs.
+const { build } = await import('vite');
+const { launch, openPage } = await import('../js/support/browser.js');
 await build({ configFile: join(root, 'web/demo/vite.config.ts'), logLevel: 'warn' });
 
 const server = await serve(join(root, 'build/demo'));

@@ -5,7 +5,7 @@ import { tmpdir } from 'node:os';
 import { basename, extname, join, resolve } from 'node:path';
 import { parseArgs } from 'node:util';
 import { cmake } from '../../scripts/build.mjs';
-import { output, root } from '../../scripts/run.mjs';
+import { output, root, setup } from '../../scripts/run.mjs';
 
 export const extensions = ['.obj', '.stl', '.ply', '.off'];
 
@@ -26,6 +26,7 @@ export const sizes = [
 
 /** Builds kdm_bench, kdm_measure and kdm_figures and returns their folder. */
 export function buildTools() {
+  setup('native', 'test');
   cmake('build/bench', ['CMAKE_BUILD_TYPE=Release', 'KDM_BUILD_BENCH=ON', 'KDM_BUILD_CLI=OFF'], {
     targets: ['kdm_bench', 'kdm_measure', 'kdm_figures'],
   });
