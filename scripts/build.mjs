@@ -1,42 +1,55 @@
 // SPDX-License-Identifier: MIT
 // `npm run build [native] [wasm] [package]`: the native command line to build/native, the
-// WebAssembly module to build/wasm, the npm package to dist/. Builds only what is out of date.
+// WebAssembly module to build/wasm, the npm package (with the module) to dist/. Compiles only what is
+// out of date.
 import {
   chmodSync,
   copyFileSync,
   existsSync,
   mkdirSync,
   readFileSync,
+  rmSync,
   writeFileSync,
 } from 'node:fs';
 import { delimiter } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { jobs, root, run, setup, tool } from './run.mjs';
 
-/** Configures (once) and builds a CMake folder. */
-export function cmake(folder, settings, { targets = [], wrapper = [], env = {} } = {}) {
+/** Configures a CMake folder where needed and builds it. */
+export function cmake(folder, settings, { targets = [], ...options } = {}) {
+  configure(folder, settings, options);
+  const chosen = targets.flatMap((target) => ['--target', target]);
+  run('cmake', ['--build', folder, '-j', jobs, ...chosen], { env: options.env });
+}
+
+/**
+ * Configures a CMake folder, from nothing: CMake keeps settings that are no longer given, and the
+ * compiler it found first. Does nothing where the folder is as wanted already.
+ */
+export function configure(folder, settings, { wrapper = [], env = {} } = {}) {
   const [command, ...args] = [
     ...wrapper,
-    'cmake',
-    '-S',
-    '.',
-    '-B',
-    folder,
-    '-G',
-    'Ninja',
+    ...['cmake', '-S', '.', '-B', folder, '-G', 'Ninja'],
     ...settings.map((setting) => `-D${setting}`),
   ];
-  // Configuring again is quick, but not free: only when the settings changed.
-  const stamp = `${root}/${folder}/kdm-settings.txt`;
-  const wanted = [command, ...args].join('\n');
-  if (!existsSync(`${root}/${folder}/build.ninja`) || read(stamp) !== wanted) {
-    mkdirSync(`${root}/${folder}`, { recursive: true });
-    run(command, args, { env });
-    writeFileSync(stamp, wanted);
+  const path = `${root}/${folder}`;
+  const stamp = `${path}/kdm-settings.txt`;
+  const wanted = [root, command, ...args, ...compilerEnvironment({ ...process.env, ...env })];
+  if (existsSync(`${path}/build.ninja`) && read(stamp) === wanted.join('\n')) return;
+  for (const name of ['kdm-settings.txt', 'CMakeCache.txt', 'CMakeFiles']) {
+    rmSync(`${path}/${name}`, { recursive: true, force: true });
   }
-  const chosen = targets.flatMap((target) => ['--target', target]);
-  run('cmake', ['--build', folder, '-j', jobs, ...chosen], { env });
+  mkdirSync(path, { recursive: true });
+  run(command, args, { env });
+  writeFileSync(stamp, wanted.join('\n'));
 }
+
+/** The variables that CMake and Emscripten read when a folder is configured, and never again. */
+const compilerEnvironment = (env) =>
+  Object.entries(env)
+    .filter(([name]) => /^(CC|CXX|(C|CPP|CXX|LD)FLAGS|CMAKE_.*|EM_.*|NODE_PATH)$/.test(name))
+    .map(([name, value]) => `${name}=${value}`)
+    .sort();
 
 const read = (path) => (existsSync(path) ? readFileSync(path, 'utf8') : '');
 

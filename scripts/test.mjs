@@ -3,7 +3,7 @@
 // ends with the counts. `npm test -- PART...` runs some parts only.
 import { spawn } from 'node:child_process';
 import { existsSync, mkdirSync, readFileSync, rmSync } from 'node:fs';
-import { builders, cmake } from './build.mjs';
+import { builders, cmake, configure } from './build.mjs';
 import { jobs, root, setup, tryRun } from './run.mjs';
 
 const counts = { passed: 0, failed: 0 };
@@ -81,31 +81,39 @@ function jest(title, args) {
   if (status !== 0 && failed.length === 0) fail(`${title}: exit code ${status}`);
 }
 
+// Every rule of the library and of the language, at a speed that bears it.
+const sanitized = [
+  'build/sanitized',
+  [
+    'CMAKE_BUILD_TYPE=Debug',
+    'CMAKE_CXX_COMPILER=clang++',
+    'CMAKE_CXX_FLAGS=-O1',
+    'KDM_SANITIZE=ON',
+    'KDM_BUILD_TESTS=ON',
+  ],
+];
+
+// The other compiler, optimised: the same bytes must come out.
+const release = [
+  'build/release',
+  ['CMAKE_BUILD_TYPE=Release', 'KDM_WERROR=ON', 'KDM_BUILD_TESTS=ON'],
+];
+
 const parts = {
   lint() {
     check('format, lint and types', process.execPath, ['scripts/lint.mjs']);
   },
-  // Every rule of the library and of the language, at a speed that bears it.
   async sanitized() {
-    cmake(
-      'build/sanitized',
-      [
-        'CMAKE_BUILD_TYPE=Debug',
-        'CMAKE_CXX_COMPILER=clang++',
-        'CMAKE_CXX_FLAGS=-O1',
-        'KDM_SANITIZE=ON',
-        'KDM_BUILD_TESTS=ON',
-      ],
-      { targets: ['kdmanifold_tests', 'kdm_fuzz_smoke'] },
-    );
+    cmake(...sanitized, { targets: ['kdmanifold_tests', 'kdm_fuzz_smoke'] });
     await googleTest(
       'C++ tests, clang++, sanitizers',
       `${root}/build/sanitized/tests/cpp/kdmanifold_tests`,
     );
     check('fuzz targets, a few seconds', `${root}/build/sanitized/tests/fuzz/kdm_fuzz_smoke`, []);
   },
-  // Reads the sanitized build's compile commands.
+  // Reads the compile commands of the sanitized build.
   tidy() {
+    configure(...sanitized);
     const sources = ['src/.*\\.cpp$'];
     check(
       'clang-tidy',
@@ -116,19 +124,18 @@ const parts = {
       },
     );
   },
-  // The other compiler, optimised: the same bytes must come out. The JavaScript tests want the
-  // command line of this build.
   async release() {
-    cmake('build/native', ['CMAKE_BUILD_TYPE=Release', 'KDM_WERROR=ON', 'KDM_BUILD_TESTS=ON'], {
-      targets: ['kdmanifold_tests'],
-    });
+    cmake(...release, { targets: ['kdmanifold_tests'] });
     await googleTest(
       'C++ tests, g++, optimised',
-      `${root}/build/native/tests/cpp/kdmanifold_tests`,
+      `${root}/build/release/tests/cpp/kdmanifold_tests`,
     );
   },
+  // Compares with the command line of the optimised build.
   javascript() {
-    for (const build of ['native', 'wasm', 'package']) builders[build]();
+    cmake(...release, { targets: ['kdmanifold_cli'] });
+    builders.wasm();
+    builders.package();
     jest('JavaScript tests', []);
   },
 };

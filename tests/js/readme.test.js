@@ -43,11 +43,11 @@ test.each(blocks('sh'))('shell block %#', (block) => {
 test.each(blocks('cpp'))('C++ block %#', (block) => {
   rmSync(`${folder}/part-clean.obj`, { force: true });
   writeFileSync(`${folder}/block.cpp`, block);
-  const native = `${root}build/native`;
-  const flags = ['-std=c++20', `-I${root}src/include`, `-I${native}/include`];
+  const build = `${root}build/release`;
+  const flags = ['-std=c++20', `-I${root}src/include`, `-I${build}/include`];
   const eigen = ['-isystem', '/usr/include/eigen3'];
   const program = `${folder}/block`;
-  const library = `${native}/libkdmanifold.a`;
+  const library = `${build}/libkdmanifold.a`;
   execFileSync('g++', [...flags, ...eigen, `${folder}/block.cpp`, library, '-o', program]);
   execFileSync(program, [], { cwd: folder });
   expect(readFileSync(`${folder}/part-clean.obj`, 'utf8').match(/^f /gm)).toHaveLength(12);

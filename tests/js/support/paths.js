@@ -6,7 +6,7 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
 export const root = fileURLToPath(new URL('../../..', import.meta.url)).replace(/\/$/, '');
-export const nativeCli = join(root, 'build/native/src/cli/kdmanifold');
+export const nativeCli = join(root, 'build/release/src/cli/kdmanifold');
 export const nodeCli = join(root, 'dist/cli.js');
 
 /** Runs a program to its end. */
