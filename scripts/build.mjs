@@ -76,7 +76,10 @@ export const builders = {
       targets: ['kdm_wasm'],
     });
   },
+  /** From nothing, so that no file stays in the package whose source is gone. */
   package() {
+    builders.wasm();
+    rmSync(`${root}/dist`, { recursive: true, force: true });
     tool('tsc', ['-p', 'tsconfig.build.json']);
     for (const file of ['kdmanifold.js', 'kdmanifold.wasm']) {
       copyFileSync(`${root}/build/wasm/wasm/${file}`, `${root}/dist/${file}`);

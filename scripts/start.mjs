@@ -4,14 +4,13 @@
 import { builders } from './build.mjs';
 import { root } from './run.mjs';
 
-builders.wasm();
 builders.package();
 
 process.chdir(root);
 const dev = process.argv.includes('--dev');
 const port = Number(process.env.PORT ?? 4173);
 const configFile = `${root}/web/demo/vite.config.ts`;
-// Here, not at the top: before `builders.wasm()` Vite may not be installed yet.
+// Here, not at the top: Vite is installed by the set-up of `builders`.
 const vite = await import('vite');
 if (!dev) await vite.build({ configFile, logLevel: 'warn' });
 const server = dev

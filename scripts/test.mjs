@@ -134,7 +134,6 @@ const parts = {
   // Compares with the command line of the optimised build.
   javascript() {
     cmake(...release, { targets: ['kdmanifold_cli'] });
-    builders.wasm();
     builders.package();
     jest('JavaScript tests', []);
   },

@@ -40,7 +40,6 @@ const settings = (options.settings ?? byDefault).map(parseSetting);
 const resolutions = [64, 128, 256];
 
 const tools = buildTools();
-builders.wasm();
 builders.package();
 const { runWasm, meshoptimizer, manifold3d } = await import('./engines.mjs');
 const { load } = await import('../../dist/index.js');

@@ -40,7 +40,6 @@ if (unknown !== undefined || options.models.length === 0) {
 
 const files = modelFiles(options.models, []);
 const tools = buildTools();
-builders.wasm();
 builders.package();
 
 let failures = 0;

@@ -27,7 +27,6 @@ const files = modelFiles(options.models, []);
 const folder = resolve(process.env.INIT_CWD ?? process.cwd(), options.out);
 mkdirSync(folder, { recursive: true });
 setup('test');
-builders.wasm();
 builders.package();
 // Here, not at the top: both need what set-up installs.
 const { build } = await import('vite');
