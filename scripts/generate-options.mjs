@@ -4,7 +4,7 @@
 // The files are committed; a test says whether they are current.
 import { readFileSync, writeFileSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
-import { format } from 'prettier';
+import { builders } from './build.mjs';
 import { output, root } from './run.mjs';
 
 const head = (text) => `// SPDX-License-Identifier: MIT
@@ -13,6 +13,8 @@ const head = (text) => `// SPDX-License-Identifier: MIT
 
 /** Everything that is made, by its path in the repository. `readme` is the README as it is. */
 export async function generate(description, readme) {
+  // Here, not at the top: set-up may just have installed it.
+  const { format } = await import('prettier');
   const { build, extract, analyze, command } = description.options;
   const typescript = (text) =>
     format(text, { parser: 'typescript', printWidth: 100, singleQuote: true });
@@ -185,7 +187,8 @@ function withTable(readme, options) {
 }
 
 if (import.meta.url === pathToFileURL(process.argv[1]).href) {
-  const program = process.argv[2] ?? `${root}/build/native/src/cli/kdmanifold`;
+  builders.native();
+  const program = `${root}/build/native/src/cli/kdmanifold`;
   const description = JSON.parse(output(program, ['--describe']));
   const made = await generate(description, readFileSync(`${root}/README.md`, 'utf8'));
   for (const [path, text] of Object.entries(made)) writeFileSync(`${root}/${path}`, text);
