@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Checks, welding, and what the inside rule asks of a surface: closed, repaired or as it is.
+// Checks, welding, and what the inside rule asks of the faces.
 #include "prepare/input_faces.h"
 
 #include <fmt/format.h>
@@ -25,7 +25,7 @@ namespace {
                           vertex, vertices));
 }
 
-// With quads cut in two; corners are positions of the mesh.
+// Collects the mesh's triangles and the halves of its quads. Corners are vertices of the mesh.
 void collect_faces(const Mesh& mesh, InputFaces& result) {
   const std::size_t faces = mesh.triangles.size() + mesh.quads.size();
   if (faces == 0) throw Error(ErrorCode::kInvalidMesh, "the mesh has no faces");
@@ -37,14 +37,14 @@ void collect_faces(const Mesh& mesh, InputFaces& result) {
     throw Error(ErrorCode::kInvalidMesh, fmt::format("{} faces; 2^29 is the limit", faces));
   }
   result.triangles.reserve(mesh.triangles.size() + 2 * mesh.quads.size());
-  result.source.reserve(result.triangles.capacity());
+  result.source_faces.reserve(result.triangles.capacity());
   const auto check = [&](std::size_t face, Index vertex) {
     if (vertex >= mesh.positions.size()) throw_bad_index(face, vertex, mesh.positions.size());
   };
   const auto add = [&](std::size_t face, const Triangle& t) {
     result.triangles.push_back(t);
-    result.source.push_back(mesh.source_faces.empty() ? static_cast<Index>(face)
-                                                      : mesh.source_faces[face]);
+    result.source_faces.push_back(mesh.source_faces.empty() ? static_cast<Index>(face)
+                                                            : mesh.source_faces[face]);
   };
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     for (const Index vertex : mesh.triangles[i]) check(i, vertex);
@@ -87,25 +87,27 @@ Box bounds_of(const std::vector<Triangle>& triangles, const std::vector<Vec3>& p
                           "are not used equally often in both directions (boundary edges: {}); "
                           "the first is ({}, {}, {}) - ({}, {}, {}) of face {}",
                           topology.unbalanced_edges, topology.boundary_edges, a[0], a[1], a[2],
-                          b[0], b[1], b[2], faces.source[side / 3]));
+                          b[0], b[1], b[2], faces.source_faces[side / 3]));
 }
 
+// Keeps the triangles for whose number `keep` is true, in their order. Returns how many were
+// dropped.
 template <typename Keep>
 Index keep_faces(InputFaces& faces, const Keep& keep) {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < faces.triangles.size(); ++i) {
     if (!keep(i)) continue;
     faces.triangles[kept] = faces.triangles[i];
-    faces.source[kept] = faces.source[i];
+    faces.source_faces[kept] = faces.source_faces[i];
     ++kept;
   }
   const auto dropped = static_cast<Index>(faces.triangles.size() - kept);
   faces.triangles.resize(kept);
-  faces.source.resize(kept);
+  faces.source_faces.resize(kept);
   return dropped;
 }
 
-// Faces with a repeated corner have no side that counts.
+// Drops faces with two equal corners: they have no area.
 void drop_repeated_corners(InputFaces& faces) {
   faces.report.degenerate_faces += keep_faces(faces, [&](std::size_t i) {
     const Triangle& t = faces.triangles[i];
@@ -116,8 +118,8 @@ void drop_repeated_corners(InputFaces& faces) {
   }
 }
 
-// Takes out pairs of faces that lie back to back: they bound nothing, and without them more of the
-// surface is embedded.
+// Drops pairs of faces that lie back to back. They bound nothing, and without them the surface
+// meets itself in fewer places.
 void cancel_opposite_faces(InputFaces& faces) {
   const Marks cancelled =
       find_opposite_pairs(faces.triangles, static_cast<Index>(faces.points.size()), faces.topology);
@@ -130,7 +132,8 @@ void cancel_opposite_faces(InputFaces& faces) {
   }
 }
 
-// Turns neighbours to agree and parts to look outwards, and leaves one of each set of copies.
+// Turns faces so that neighbours agree and parts look outwards. Of several faces over the same
+// corners one is kept.
 void turn_outwards(InputFaces& faces) {
   const Orientation orientation = orient(faces.triangles, faces.points);
   for (std::size_t i = 0; i < faces.triangles.size(); ++i) {
@@ -141,7 +144,7 @@ void turn_outwards(InputFaces& faces) {
   faces.report.duplicate_faces = orientation.copies;
 }
 
-// Throws if a hole is too wide to be closed.
+// Throws if a hole's bounding box has a diagonal of more than `largest`, in model units.
 void check_holes(const std::vector<BoundaryLoop>& holes, const InputFaces& faces, double largest) {
   Index too_wide = 0;
   double widest = 0;
@@ -170,7 +173,7 @@ void find_topology(InputFaces& faces) {
   faces.topology = build_topology(faces.triangles, static_cast<Index>(faces.points.size()));
 }
 
-// Whether it still has to be repaired then.
+// Sews rims together and turns the faces. Returns whether the surface is still not closed.
 bool sew_and_turn(InputFaces& faces, const BuildOptions& options) {
   const double diagonal = (faces.bounds.max - faces.bounds.min).norm();
   faces.report.sewn_edges =

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The faces of the input as triangles over welded points, closed and turned as far as its rule
-// asks.
+// The faces of the input as triangles over welded points: checked, and repaired as far as the
+// inside rule asks.
 #pragma once
 
 #include <vector>
@@ -11,26 +11,33 @@
 
 namespace kdm {
 
+/// Triangles over points that are all different, in model units.
 struct InputFaces {
   std::vector<Vec3> points;
-  std::vector<Triangle> triangles;  ///< none has equal corners
-  std::vector<Index> source;        ///< what the input calls the face each came from
-  Topology topology;
-  Box bounds;          ///< of the triangles
-  InputReport report;  ///< all that does not need the lattice
-  bool repair = false;
+  std::vector<Triangle> triangles;  ///< numbers of points; none has equal corners
+  std::vector<Index> source_faces;  ///< per triangle: the face of the input that it came from
+  Topology topology;                ///< which sides of the triangles are joined
+  Box bounds;                       ///< of the triangles
+  InputReport report;               ///< complete but for what depends on the lattice
+  bool repair = false;  ///< the faces are to bound a solid, but do not form closed surfaces
 };
 
-/// How far the result may be from the input, model units, where its bounding box has this diagonal.
+/// Returns how far the result may be from the input, in model units, if the diagonal of the input's
+/// bounding box has this length.
 inline double tolerance_of(const BuildOptions& options, double diagonal) {
   return options.tolerance > 0 ? options.tolerance : options.relative_tolerance * diagonal;
 }
 
-/// Checks and converts, by `inside`, the tolerance and the largest hole of the options. Throws
-/// `kInvalidMesh` (no triangles, index out of range, coordinate not finite or beyond 1e150) and
-/// `kNotClosed`. What is to be repaired is sewn together where rims are no further apart than the
-/// tolerance, and turned outwards; if that closes it, it is a solid like any other. A sheet may be
-/// open and is neither turned nor freed of faces that lie back to back.
+/// Checks the mesh and turns it into welded triangles. Of the options, the inside rule, the
+/// tolerance and the largest hole count.
+///
+/// Closed input loses pairs of faces that lie back to back. Open input under the rule `kRepair` is
+/// sewn together where rims are no further apart than the tolerance, its parts are turned outwards,
+/// and copies of faces are dropped; if that closes the surface, nothing is left to repair. A sheet
+/// may be open, and its faces stay as they are.
+///
+/// Throws `kInvalidMesh` (no triangles, index out of range, coordinate not finite or beyond 1e150)
+/// and `kNotClosed` (open under a rule that asks for closed input, or holes too wide to be closed).
 InputFaces prepare_faces(const Mesh& mesh, const BuildOptions& options);
 
 }  // namespace kdm

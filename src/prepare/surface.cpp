@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The input as construction sees it: rounding to the lattice, planes, the solid turned outwards.
+// Rounding to the lattice, planes, and the solid turned outwards.
 #include "prepare/surface.h"
 
 #include <Eigen/Geometry>
@@ -9,7 +9,7 @@
 namespace kdm {
 namespace {
 
-// Six times the enclosed volume, about the middle of the root cell.
+// Returns six times the enclosed volume, summed over tetrahedra that share the root cell's middle.
 double signed_volume(const std::vector<LatticeTriangle>& triangles) {
   constexpr double kMiddle = kLatticeSize / 2.0;
   double sum = 0;
@@ -23,7 +23,8 @@ double signed_volume(const std::vector<LatticeTriangle>& triangles) {
   return sum;
 }
 
-// Exchanges corners 1 and 2 of every triangle: side 0 (0,1) becomes side 2 and the other way round.
+// Exchanges corners 1 and 2 of every triangle. Thereby its side 0, between corners 0 and 1, becomes
+// side 2, and side 2 becomes side 0.
 void turn_around(InputFaces& faces, std::vector<LatticeTriangle>& lattice_triangles) {
   const auto turned = [](SideId side) {
     return side == kNone ? kNone : side - side % 3 + (2 - side % 3);
@@ -38,6 +39,8 @@ void turn_around(InputFaces& faces, std::vector<LatticeTriangle>& lattice_triang
   for (LatticeTriangle& t : lattice_triangles) std::swap(t[1], t[2]);
 }
 
+// Returns the plane of a triangle whose corners before rounding are a, b, c, with a normal of
+// length one; zero if the triangle has no area before rounding nor after it.
 Plane plane_of(const Vec3& a, const Vec3& b, const Vec3& c, const LatticeTriangle& rounded) {
   Vec3 normal = (b - a).cross(c - a);
   double length = normal.norm();
@@ -52,50 +55,66 @@ Plane plane_of(const Vec3& a, const Vec3& b, const Vec3& c, const LatticeTriangl
   return {normal, normal.dot((a + b + c) / 3.0)};
 }
 
-}  // namespace
+// The points of the faces in lattice units. A point that no face uses may lie anywhere; it is left
+// at zero.
+struct LatticePoints {
+  std::vector<LatticePoint> rounded;
+  std::vector<Vec3> exact;
+};
 
-Surface prepare_surface(const Mesh& mesh, const BuildOptions& options) {
-  InputFaces faces = prepare_faces(mesh, options);
+LatticePoints to_lattice(const InputFaces& faces, const Lattice& lattice) {
   const Box& bounds = faces.bounds;
-  const std::vector<Vec3>& points = faces.points;
-  Surface surface;
-  surface.sheet = options.inside == InsideRule::kSheet;
-  surface.repair = faces.repair;
-  surface.report = faces.report;
-  surface.lattice = lattice_over(bounds);
-  surface.diagonal = (bounds.max - bounds.min).norm();
-  std::vector<LatticePoint> rounded(points.size());
-  std::vector<Vec3> exact(points.size());  // lattice units, before rounding
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    // A point that no face uses may lie anywhere; it is not rounded.
-    const bool used = (points[i].array() >= bounds.min.array()).all() &&
-                      (points[i].array() <= bounds.max.array()).all();
-    if (!used) continue;
-    rounded[i] = surface.lattice.quantise(points[i]);
-    exact[i] = surface.lattice.to_lattice(points[i]);
+  LatticePoints result;
+  result.rounded.resize(faces.points.size());
+  result.exact.resize(faces.points.size());
+  for (PointId i = 0; i < faces.points.size(); ++i) {
+    const Vec3& point = faces.points[i];
+    const bool within =
+        (point.array() >= bounds.min.array()).all() && (point.array() <= bounds.max.array()).all();
+    if (!within) continue;
+    result.rounded[i] = lattice.quantise(point);
+    result.exact[i] = lattice.to_lattice(point);
   }
-  const std::size_t size = faces.triangles.size();
-  surface.triangles.reserve(size);
-  for (const Triangle& t : faces.triangles) {
-    surface.triangles.push_back({rounded[t[0]], rounded[t[1]], rounded[t[2]]});
-  }
-  surface.report.flipped = !surface.has_rims() && signed_volume(surface.triangles) < 0;
-  if (surface.report.flipped) turn_around(faces, surface.triangles);
+  return result;
+}
 
-  surface.planes.reserve(size);
-  surface.degenerate.reserve(size);
-  for (std::size_t i = 0; i < size; ++i) {
-    const Triangle& t = faces.triangles[i];
+// Adds the planes of the surface's triangles, and marks and counts triangles without area.
+void find_planes(const std::vector<Triangle>& corners, const std::vector<Vec3>& exact,
+                 Surface& surface) {
+  surface.planes.reserve(corners.size());
+  surface.degenerate.reserve(corners.size());
+  for (TriangleId i = 0; i < corners.size(); ++i) {
+    const Triangle& t = corners[i];
     const auto area = area_vector(surface.triangles[i]);
     const bool degenerate = area[0] == 0 && area[1] == 0 && area[2] == 0;
     surface.degenerate.push_back(degenerate);
     surface.report.degenerate_faces += degenerate ? 1 : 0;
     surface.planes.push_back(plane_of(exact[t[0]], exact[t[1]], exact[t[2]], surface.triangles[i]));
   }
+}
+
+}  // namespace
+
+Surface prepare_surface(const Mesh& mesh, const BuildOptions& options) {
+  InputFaces faces = prepare_faces(mesh, options);
+  Surface surface;
+  surface.sheet = options.inside == InsideRule::kSheet;
+  surface.repair = faces.repair;
+  surface.report = faces.report;
+  surface.lattice = lattice_over(faces.bounds);
   surface.report.lattice_step = surface.lattice.step;
+  surface.diagonal = (faces.bounds.max - faces.bounds.min).norm();
+  const LatticePoints points = to_lattice(faces, surface.lattice);
+  surface.triangles.reserve(faces.triangles.size());
+  for (const Triangle& t : faces.triangles) {
+    surface.triangles.push_back({points.rounded[t[0]], points.rounded[t[1]], points.rounded[t[2]]});
+  }
+  surface.report.flipped = !surface.has_rims() && signed_volume(surface.triangles) < 0;
+  if (surface.report.flipped) turn_around(faces, surface.triangles);
+  find_planes(faces.triangles, points.exact, surface);
   surface.topology = std::move(faces.topology);
   surface.corners = std::move(faces.triangles);
-  surface.source_faces = std::move(faces.source);
+  surface.source_faces = std::move(faces.source_faces);
   return surface;
 }
 

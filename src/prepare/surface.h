@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The input as construction sees it: welded, on the lattice; a solid's closed, facing outwards.
+// The input as all later steps see it: triangles over welded points, rounded to the lattice. It is
+// not changed any more.
 #pragma once
 
 #include <vector>
@@ -14,24 +15,29 @@
 
 namespace kdm {
 
-/// Triangles by number; all arrays run parallel. Triangles with a repeated corner are gone.
+/// The input's triangles. They are numbered, and most arrays have one entry for each; triangles
+/// with two equal corners are left out. Unless `has_rims()`, the triangles form closed surfaces
+/// that enclose a volume that is not negative.
 struct Surface {
   Lattice lattice;
-  double diagonal = 0;  ///< of the bounding box, model units
+  double diagonal = 0;  ///< of the input's bounding box, model units
   std::vector<LatticeTriangle> triangles;
-  std::vector<Triangle> corners;    ///< numbers of the corners' points
-  std::vector<Plane> planes;        ///< of the triangles before rounding, lattice units
-  std::vector<Index> source_faces;  ///< what the input calls the face
-  Marks degenerate;  ///< triangles without area on the lattice: never hit, but still neighbours
-  Topology topology;
+  std::vector<Triangle> corners;    ///< the welded points (PointId) that the corners lie at
+  std::vector<Plane> planes;        ///< of the triangles before rounding, in lattice units
+  std::vector<Index> source_faces;  ///< the face of the input that each triangle came from
+  Marks degenerate;   ///< triangles without area on the lattice: no grid line crosses them
+  Topology topology;  ///< which sides of the triangles are joined
   InputReport report;
-  bool sheet = false;   ///< bounds no solid
-  bool repair = false;  ///< not closed or not turned consistently, but to become a solid
+  bool sheet = false;   ///< it bounds no solid
+  bool repair = false;  ///< it is to bound a solid, but is not closed or not turned consistently
 
-  bool has_rims() const { return sheet || repair; }  ///< sides may lack an opposite
+  /// Returns whether sides of triangles may lack an opposite.
+  bool has_rims() const { return sheet || repair; }
 };
 
-/// Checks and converts (prepare/input_faces.h). Throws `kInvalidMesh` and `kNotClosed`.
+/// Checks the mesh, prepares its faces as the inside rule of the options asks (see
+/// prepare/input_faces.h), rounds them to the lattice and turns a solid that is inside out. Throws
+/// `kInvalidMesh` and `kNotClosed`. Takes time linear in the number of faces, apart from sorting.
 Surface prepare_surface(const Mesh& mesh, const BuildOptions& options = {});
 
 }  // namespace kdm
