@@ -17,11 +17,14 @@
 namespace kdm {
 namespace {
 
+// What later steps take for the tolerance where cells were made without one, as a fraction of the
+// bounding box's diagonal.
 constexpr double kUsualTolerance = BuildOptions().relative_tolerance;
 
-// A shell whose sides round to the same places has no inside.
+// Checks that the sides of a thickened surface do not round to the same places: then the shell
+// between them would have no inside. `step` is a lattice unit, in model units.
 void check_thickness(double thickness, double step) {
-  constexpr double kLeast = 4;
+  constexpr double kLeast = 4;  // lattice units
   if (thickness == 0 || thickness >= kLeast * step) return;
   throw Error(ErrorCode::kInvalidOption,
               fmt::format("thicken is {}; for a model of this size it must be {} at least, a "
@@ -29,10 +32,24 @@ void check_thickness(double thickness, double step) {
                           thickness, kLeast * step));
 }
 
+// Returns the depth that no cell goes beyond.
 int depth_limit(const BuildOptions& options) {
   constexpr int kUniformDepth = 18;
   if (options.depth != 0) return options.depth;
   return options.strategy == SplitStrategy::kUniform ? kUniformDepth : kMaxDepth;
+}
+
+// Counts what the finished grid holds.
+void complete_stats(const Surface& surface, GridData& grid) {
+  GridStats& stats = grid.stats;
+  stats.tolerance = grid.tolerance * grid.lattice.step;
+  stats.cells = static_cast<Index>(grid.cells.size());
+  stats.leaves = static_cast<Index>(grid.cells.size() - grid.cells.size() / 2);
+  stats.hits = static_cast<Index>(grid.hits.size());
+  stats.invented_hits = count_invented_hits(grid);
+  stats.topology_resolved = stats.topology_resolved && stats.guessed_faces == 0 && !surface.repair;
+  stats.sheet = grid.sheet;
+  stats.bytes = grid.bytes();
 }
 
 }  // namespace
@@ -54,7 +71,6 @@ Grid build_grid(const Mesh& mesh, const BuildOptions& options, const Progress& p
       depth_limit(options), part_of_progress(progress, 0.1, 0.8), *grid);
   grid->tolerance = made.tolerance > 0 ? made.tolerance
                                        : kUsualTolerance * surface.diagonal / surface.lattice.step;
-  grid->stats.tolerance = grid->tolerance * surface.lattice.step;
   report_progress(progress, 0.8, "link");
   if (surface.repair && grid->hits.empty()) {
     throw Error(ErrorCode::kNotClosed,
@@ -63,14 +79,7 @@ Grid build_grid(const Mesh& mesh, const BuildOptions& options, const Progress& p
   }
   link_half_edges(surface, made.triangle_of_hit, options.pairing, *grid);
   keep_corners(surface, made.triangle_of_hit, *grid);
-  grid->stats.cells = static_cast<Index>(grid->cells.size());
-  grid->stats.leaves = static_cast<Index>(grid->cells.size() - grid->cells.size() / 2);
-  grid->stats.hits = static_cast<Index>(grid->hits.size());
-  grid->stats.invented_hits = count_invented_hits(*grid);
-  grid->stats.topology_resolved =
-      grid->stats.topology_resolved && grid->stats.guessed_faces == 0 && !surface.repair;
-  grid->stats.sheet = grid->sheet;
-  grid->stats.bytes = grid->bytes();
+  complete_stats(surface, *grid);
   report_progress(progress, 1.0, "link");
   return Grid(std::move(grid));
 } catch (const std::bad_alloc&) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Crossings kept, turned, dropped and invented along a stretch of a grid edge.
+// Crossings kept, turned, dropped and invented along a segment of a grid edge.
 #include "inside/resolve_segment.h"
 
 #include <algorithm>
@@ -7,7 +7,8 @@
 namespace kdm {
 namespace {
 
-// Crossings less far apart are one cluster; there is room for another one within any wider gap.
+// Crossings that are less than this far apart form one cluster: 1/64 of a lattice unit, which
+// leaves room for an invented crossing between two clusters.
 constexpr LinePosition kLeastGap = 64;
 
 constexpr LinePosition position_of(std::int32_t coordinate) {
@@ -67,7 +68,8 @@ void SegmentResolver::resolve(const Segment& segment, std::vector<Crossing>& cro
   invent_before(last_below(segment.high), segment.inside_high);
 }
 
-// The last cluster must end as the segment does where there is no room behind it.
+// Groups the crossings and asks the field for the states before and behind each group. If the
+// segment leaves no room behind the last cluster, the state behind that is the segment's upper end.
 void SegmentResolver::find_clusters(const Segment& segment,
                                     const std::vector<Crossing>& crossings) {
   clusters_.clear();
@@ -95,7 +97,7 @@ void SegmentResolver::find_clusters(const Segment& segment,
   }
 }
 
-// By bisection, strictly between the two.
+// Finds, by bisection, a position strictly between two others at which the state changes.
 LinePosition SegmentResolver::change_between(const Segment& segment, LinePosition low,
                                              LinePosition high, bool inside_low) const {
   double below = real_position(low);

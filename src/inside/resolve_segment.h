@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Crossings of one stretch of a grid edge that contradict each other or its ends, made to fit.
+// Hits for a segment of a grid edge whose crossings contradict each other or its ends.
 #pragma once
 
 #include <vector>
@@ -35,11 +35,11 @@ class SegmentResolver {
                std::vector<ClassifiedCrossing>& classified);
 
  private:
-  // Crossings that lie so close together that the field cannot tell what is between them.
+  // Crossings so close together that the field cannot tell what lies between them.
   struct Cluster {
-    std::size_t begin;
+    std::size_t begin;  // its crossings
     std::size_t end;
-    bool inside_before;
+    bool inside_before;  // states just below the first one and above the last one
     bool inside_after;
   };
 

@@ -16,9 +16,10 @@ namespace {
 
 constexpr double kPi = 3.141592653589793;
 constexpr Index kLeafSize = 6;
-// What is left out of a node's series, by level of accuracy.
+// By level of accuracy: the largest winding number that a node's series may leave out.
 constexpr std::array<double, 2> kNodeErrors{5e-2, 4e-3};
-constexpr double kTiny = 1e-30;  // not zero, whose sign would be lost
+// Stands for zero where a zero would lose its sign.
+constexpr double kTiny = 1e-30;
 
 Vec3 area_of(const LatticeTriangle& t) {
   const auto area = area_vector(t);
@@ -39,8 +40,9 @@ HalfSolidAngle angle_of(const LatticeTriangle& t, const Vec3& p) {
   return {corners[0], corners[1], corners[2]};
 }
 
-// Is the triangle's back turned to the grid vertex, shifted as in geometry/predicates.h?
-bool behind(const LatticeTriangle& t, const LatticePoint& p) {
+// Returns whether the grid vertex, shifted as in geometry/predicates.h, lies behind the triangle's
+// plane.
+bool is_behind(const LatticeTriangle& t, const LatticePoint& p) {
   const auto normal = area_vector(t);
   std::int64_t side = 0;
   for (int i = 0; i < 3; ++i) side += normal[i] * (t[0][i] - p[i]);
@@ -132,8 +134,9 @@ void WindingField::summarise(Node& node) const {
   }
 }
 
-// Calls add_node(node, r, squared length of r) for what is far, r leading to its centre, and
-// add_triangle for the rest.
+// Visits all triangles. Calls add_node(node, r, squared length of r) for nodes that are far enough
+// away for the level, r leading from the point to their centre, and add_triangle(triangle) for
+// triangles that no such node holds.
 template <typename AddNode, typename AddTriangle>
 void WindingField::traverse(const Vec3& p, int level, const AddNode& add_node,
                             const AddTriangle& add_triangle) const {
@@ -158,8 +161,8 @@ void WindingField::traverse(const Vec3& p, int level, const AddNode& add_node,
       work_ += node.end - node.begin;
     }
   }
-  constexpr std::size_t kNodesATriangle = 4;  // in time
-  work_ += far / kNodesATriangle + 1;
+  constexpr std::size_t kNodesPerTriangle = 4;  // take the same time
+  work_ += far / kNodesPerTriangle + 1;
 }
 
 template <typename AddTriangle>
@@ -178,10 +181,10 @@ WindingField::Value WindingField::evaluate(const Vec3& p, int level,
       },
       [&](const LatticeTriangle& t) { add_triangle(t, near); });
   value.winding += near.turns();
-  // Errors have either sign and are mostly far below the bound, which takes all of a node's
-  // triangles to lie and to face the worst way.
-  constexpr double kUsual = 0.25;
-  value.error = kUsual * kNodeErrors[level] * std::sqrt(static_cast<double>(summed));
+  // The errors of the nodes have different signs, so they grow with the root of their number. Most
+  // are far below the bound, which holds for triangles that lie and face the worst way.
+  constexpr double kUsualPartOfBound = 0.25;
+  value.error = kUsualPartOfBound * kNodeErrors[level] * std::sqrt(static_cast<double>(summed));
   return value;
 }
 
@@ -212,12 +215,13 @@ bool WindingField::inside(const Vec3& p) const {
 }
 
 bool WindingField::inside(const LatticePoint& p) const {
-  // Off by so little that edges and corners at the vertex itself subtend what they should.
+  // The shift is so small that solid angles stay what they are, and so large that no edge or corner
+  // lies at the point itself.
   const Vec3 shifted = to_vec3(p) + Vec3(1.0 / (1 << 10), 1.0 / (1 << 20), 1.0 / (1 << 30));
   return decide(shifted, [&](const LatticeTriangle& t, AngleSum& sum) {
     const HalfSolidAngle angle = angle_of(t, shifted);
     const double im = std::max(std::abs(angle.im), kTiny * std::abs(angle.re));
-    sum.add(angle.re, behind(t, p) ? im : -im);
+    sum.add(angle.re, is_behind(t, p) ? im : -im);
   });
 }
 

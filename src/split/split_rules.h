@@ -23,7 +23,8 @@ struct Split {
 /// What a rule carries from a cell to its children: its own ordering's range.
 using RuleRange = ListRange;
 
-/// Crossings of a cell's edge, by number.
+/// The crossings on an edge of a cell: a range of `EdgeCrossings::all`. Empty if the edge is part
+/// of the root cell's edges.
 struct EdgeRange {
   Index begin = 0;
   Index end = 0;
@@ -37,14 +38,14 @@ constexpr int cell_edge(int axis, bool high_next, bool high_previous) {
   return 4 * axis + (high_next ? 1 : 0) + (high_previous ? 2 : 0);
 }
 
-/// A cell that may be split, and what is known of it.
+/// A cell that may be split, as construction shows it to a rule.
 struct CellView {
   const LatticeBox& box;
   int depth;
   std::span<const ListEntry> entries;  ///< triangles that may reach the cell, at least one
-  RuleRange range;
-  const CellEdges& edges;
-  const std::vector<ClassifiedCrossing>& crossings;  ///< all so far; `edges` refers to them
+  RuleRange range;                     ///< the range that the rule gave the cell by `divide`
+  const CellEdges& edges;              ///< where the cell's crossings are among `crossings`
+  const std::vector<ClassifiedCrossing>& crossings;  ///< all that were found so far
 };
 
 /// One object serves the whole construction; it is asked about cells in depth-first order.
