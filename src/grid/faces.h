@@ -14,6 +14,7 @@
 #pragma once
 
 #include <algorithm>
+#include <utility>
 
 #include "grid/grid_data.h"
 
@@ -52,6 +53,15 @@ struct MinimalFace {
            edges[3].hits.size();
   }
 };
+
+/// Do the links across the face not follow from its hits, so that they had to be chosen?
+inline bool is_ambiguous(const MinimalFace& face) { return face.hit_count() > 2 && !face.strip(); }
+
+/// Returns the two coincident sides of a strip, which carry the same hits.
+inline std::pair<const FaceEdge&, const FaceEdge&> long_sides(const MinimalFace& strip) {
+  const int first = strip.lo(0) == strip.hi(0) ? 1 : 0;
+  return {strip.edges[first], strip.edges[first + 2]};
+}
 
 /// Does the half-edge of this slot start in the leaf below the face (or in the one above)?
 constexpr bool starts_below(const FaceEdge& edge, bool reversed) {

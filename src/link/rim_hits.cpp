@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rim hits from the points and planes of rim sides.
+// What a grid keeps of the rims of an open surface.
 #include "link/rim_hits.h"
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 namespace kdm {
 
-RimHit rim_hit(const Surface& surface, const MinimalFace& face, Index half_edge, Index side) {
+RimHit rim_hit(const Surface& surface, const MinimalFace& face, HalfEdgeId half_edge, SideId side) {
   return {half_edge, rim_point(surface, side, face.axis, face.plane),
           rim_plane(surface, side, surface.planes[side / 3].normal).normal};
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Following the input's surface across a minimal face: from triangle to neighbour over the mesh
-// edge at which the triangle's section with the plane ends. Which edge that is, is exact.
+// Following the input's surface across a minimal face. The walk goes from a triangle to its
+// neighbour over the mesh edge at which the triangle's section with the face's plane ends; which of
+// its edges that is, is decided exactly.
 #include "link/trace.h"
 
 #include <cmath>
@@ -66,6 +67,28 @@ Traced trace(const Surface& surface, int axis, std::int32_t value,
     if (triangle == ends[start].triangle) return {};
   }
   return {};
+}
+
+void trace_outline(const Surface& surface, std::span<const TriangleId> triangle_of_hit,
+                   const MinimalFace& face, const std::vector<OutlineHit>& outline,
+                   std::vector<Traced>& traced) {
+  std::vector<TraceEnd> ends;
+  ends.reserve(outline.size());
+  for (const OutlineHit& h : outline) ends.push_back({triangle_of_hit[h.hit], h.side});
+  const std::array<std::int32_t, 2> lo{face.lo(0), face.lo(1)};
+  const std::array<std::int32_t, 2> hi{face.hi(0), face.hi(1)};
+  traced.clear();
+  for (Index i = 0; i < outline.size(); ++i) {
+    traced.push_back(trace(surface, face.axis, face.plane, lo, hi, ends, i));
+  }
+  std::vector<Index> found;
+  found.reserve(traced.size());
+  for (const Traced& t : traced) found.push_back(t.end);
+  for (Index i = 0; i < traced.size(); ++i) {
+    const Index j = found[i];
+    const bool mutual = j != kNone && found[j] == i && compatible(outline[i], outline[j]);
+    if (!mutual) traced[i].end = kNone;
+  }
 }
 
 }  // namespace kdm

@@ -5,29 +5,36 @@
 #include <span>
 
 #include "geometry/predicates.h"
+#include "link/outline.h"
 #include "prepare/surface.h"
 
 namespace kdm {
 
-/// A hit on the outline of a minimal face, as the trace needs it.
+/// A hit on the outline of a rectangle, from which a trace starts or at which it arrives.
 struct TraceEnd {
-  Index triangle;
-  int side;  ///< 0 to 3 as splitting edges are numbered
+  TriangleId triangle;  ///< the one that makes the hit; kNone if the hit is invented
+  int side;             ///< of the rectangle, 0 to 3 as splitting edges are numbered
 };
 
-/// Where a trace arrives: at another end, at the rim of a sheet (a side without opposite), or
+/// Where a trace arrives: at another end, at the rim of an open surface, or, if both are kNone,
 /// nowhere.
 struct Traced {
-  Index end = kNone;
-  Index rim = kNone;
+  Index end = kNone;   ///< its place among the ends
+  SideId rim = kNone;  ///< a triangle's side beyond which there is no other triangle
 };
 
-/// Walks from ends[start] through the triangles that cross the lattice plane `value` of `axis`
-/// until one of them is another end's, or until the surface ends. Nowhere: the walk leaves the
-/// rectangle (given by its corners, on the axes after `axis`) without meeting an end: the surface
-/// there was dropped by the inside rule. On embedded input every walk arrives.
+/// Walks from ends[start] through the triangles that cross the lattice plane at `value` along
+/// `axis`, until one of them is another end's or the surface ends. The rectangle on that plane is
+/// given by its corners' coordinates on the two axes after `axis`. On embedded input every walk
+/// arrives; else one may leave the rectangle where the inside rule dropped the surface's hits.
 Traced trace(const Surface& surface, int axis, std::int32_t value,
              const std::array<std::int32_t, 2>& lo, const std::array<std::int32_t, 2>& hi,
              std::span<const TraceEnd> ends, Index start);
+
+/// Traces from each hit of a face's outline. The `end` of a result is a place in the outline, kept
+/// only where the two traces arrive at each other and their half-edges are compatible.
+void trace_outline(const Surface& surface, std::span<const TriangleId> triangle_of_hit,
+                   const MinimalFace& face, const std::vector<OutlineHit>& outline,
+                   std::vector<Traced>& traced);
 
 }  // namespace kdm

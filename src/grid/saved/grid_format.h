@@ -78,10 +78,4 @@ constexpr std::int64_t to_signed(std::uint64_t value) {
   return (value & 1) != 0 ? -1 - half : half;
 }
 
-/// Links of two hits, and of strips, need no bits.
-template <typename Face>
-bool has_stored_links(const Face& face) {
-  return face.hit_count() > 2 && !face.strip();
-}
-
 }  // namespace kdm::grid_format

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Half-edges of a loaded grid: where they start follows from the faces, and so do most links; the
-// others are read.
+// The half-edges of a grid that is loaded. Where they start follows from the minimal faces, and so
+// do most links; the other links are read.
 #pragma once
 
 #include <fmt/format.h>
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "grid/faces.h"
+#include "grid/links.h"
 #include "grid/saved/grid_format.h"
 #include "grid/saved/read_numbers.h"
 #include "grid/saved/sheet_links.h"
@@ -16,8 +16,9 @@
 
 namespace kdm {
 
-/// To be called with every minimal face, and `finish`ed; rims and corners follow. Throws
-/// as the reader does.
+/// Reads the links of each minimal face that it is called with. All faces come first, in the order
+/// of `for_each_face`, then `finish`, then rims and corners. Throws what `ByteReader::fail` does if
+/// the bytes are no links of these faces.
 class LinkReader {
  public:
   LinkReader(ByteReader& bytes, GridData& grid) : bytes_(bytes), grid_(grid) {
@@ -26,28 +27,14 @@ class LinkReader {
   }
 
   void operator()(const MinimalFace& face) {
-    const bool stored = grid_format::has_stored_links(face);
-    if (stored) ++grid_.stats.ambiguous_faces;
+    if (is_ambiguous(face)) ++grid_.stats.ambiguous_faces;
     if (face.strip()) {
       link_strip(face);
-      return;
-    }
-    if (grid_.sheet) {
+    } else if (grid_.sheet) {
       link_sheet(face);
-      return;
+    } else {
+      link_solid(face);
     }
-    open_.clear();
-    for_each_hit(face, [&](const FaceEdge& edge, Index hit, int) {
-      const End end = end_of(edge, hit);
-      if (stored ? next_bit() : open_.empty()) {
-        open_.push_back(end);
-      } else {
-        if (open_.empty()) bytes_.fail("a link of a minimal face ends that has not begun");
-        link(face, open_.back(), end, 0);
-        open_.pop_back();
-      }
-    });
-    if (!open_.empty()) bytes_.fail("a link of a minimal face has no end");
   }
 
   void finish() const {
@@ -55,25 +42,26 @@ class LinkReader {
   }
 
   void read_rims() const {
-    read_kept("rim", 6, grid_.rims, [&](Index half_edge) {
+    read_kept("rim", 6, grid_.rims, [&](HalfEdgeId half_edge) {
       const Vec3 point = take_point("a rim's point");
       return RimHit{half_edge, point, take_normal(bytes_, true, "a rim's normal")};
     });
   }
 
   void read_corners() const {
-    read_kept("corner", 3, grid_.corners, [&](Index half_edge) {
+    read_kept("corner", 3, grid_.corners, [&](HalfEdgeId half_edge) {
       return KeptCorner{half_edge, take_point("a corner's point")};
     });
   }
 
  private:
-  struct End {
-    Index half_edge;
+  struct End {  // of a link
+    HalfEdgeId half_edge;
     bool starts_below;
   };
 
-  // What is kept of some half-edges, in the order of these, each with some real numbers.
+  // Reads what is kept for some half-edges, in ascending order of these: the half-edge of each one,
+  // then as many real numbers as told, by `read`.
   template <typename Kept, typename Read>
   void read_kept(std::string_view name, std::uint64_t reals, std::vector<Kept>& kept,
                  const Read& read) const {
@@ -88,7 +76,7 @@ class LinkReader {
       const std::uint64_t half_edge = next + bytes_.take_varint(half_edges, what);
       if (half_edge >= half_edges) bytes_.fail(what + " is none");
       next = half_edge + 1;
-      kept.push_back(read(static_cast<Index>(half_edge)));
+      kept.push_back(read(static_cast<HalfEdgeId>(half_edge)));
     }
   }
 
@@ -98,40 +86,54 @@ class LinkReader {
     return point;
   }
 
-  End end_of(const FaceEdge& edge, Index hit) const {
+  End end_of(const FaceEdge& edge, HitId hit) const {
     return {3 * hit + edge.slot, starts_below(edge, grid_.hits[hit].reversed())};
   }
 
   void link_strip(const MinimalFace& face) {
-    const std::size_t first = face.lo(0) == face.hi(0) ? 1 : 0;
-    const FaceEdge& a = face.edges[first];
-    const FaceEdge& b = face.edges[first + 2];
+    const auto [a, b] = long_sides(face);
     if (a.hits.size() != b.hits.size())
       bytes_.fail("the long sides of a strip carry different hits");
     for (Index i = 0; i < a.hits.size(); ++i) {
-      link(face, end_of(a, a.hits.first + i), end_of(b, b.hits.first + i), GridData::kStrip);
+      link_ends(face, end_of(a, a.hits.first + i), end_of(b, b.hits.first + i));
     }
+  }
+
+  // Links nest like brackets; of two hits they need no bits.
+  void link_solid(const MinimalFace& face) {
+    const bool stored = is_ambiguous(face);
+    open_.clear();
+    for_each_hit(face, [&](const FaceEdge& edge, HitId hit, int) {
+      const End end = end_of(edge, hit);
+      if (stored ? next_bit() : open_.empty()) {
+        open_.push_back(end);
+      } else {
+        if (open_.empty()) bytes_.fail("a link of a minimal face ends that has not begun");
+        link_ends(face, open_.back(), end);
+        open_.pop_back();
+      }
+    });
+    if (!open_.empty()) bytes_.fail("a link of a minimal face has no end");
   }
 
   void link_sheet(const MinimalFace& face) {
     ends_.clear();
     starts_below_.clear();
-    for_each_hit(face, [&](const FaceEdge& edge, Index hit, int) {
+    for_each_hit(face, [&](const FaceEdge& edge, HitId hit, int) {
       ends_.push_back(end_of(edge, hit));
       starts_below_.push_back(ends_.back().starts_below);
-      grid_.start[ends_.back().half_edge] = starts_below_.back() ? face.below : face.above;
+      set_start(grid_, ends_.back().half_edge, face, ends_.back().starts_below);
     });
     decide_(
         starts_below_, [&](Index) { return next_bit(); }, [&](Index, Index) { return next_bit(); },
-        [&](Index i, Index j) { link(face, ends_[i], ends_[j], 0); });
+        [&](Index i, Index j) { link_ends(face, ends_[i], ends_[j]); });
   }
 
-  void link(const MinimalFace& face, const End& a, const End& b, std::uint32_t strip) {
+  void link_ends(const MinimalFace& face, const End& a, const End& b) {
     if (a.starts_below == b.starts_below) bytes_.fail("a link joins hits that do not fit");
-    grid_.opposite[a.half_edge] = b.half_edge;
-    grid_.opposite[b.half_edge] = a.half_edge;
-    grid_.start[a.half_edge] = (a.starts_below ? face.below : face.above) | strip;
-    grid_.start[b.half_edge] = (b.starts_below ? face.below : face.above) | strip;
+    set_start(grid_, a.half_edge, face, a.starts_below);
+    set_start(grid_, b.half_edge, face, b.starts_below);
+    link(grid_, a.half_edge, b.half_edge);
   }
 
   bool next_bit() {
@@ -148,12 +150,12 @@ class LinkReader {
 
   ByteReader& bytes_;
   GridData& grid_;
-  std::vector<End> open_;
-  std::vector<End> ends_;
+  std::vector<End> open_;  // of a solid's face: links that have begun
+  std::vector<End> ends_;  // of a sheet's face: all half-edges, in order
   std::vector<bool> starts_below_;
   SheetLinkDecisions decide_;
-  unsigned byte_ = 0;  // what is left of the last one
-  int bits_ = 0;
+  unsigned byte_ = 0;  // the bits of the last byte that were not taken yet, lowest first
+  int bits_ = 0;       // how many these are
 };
 
 }  // namespace kdm

@@ -127,7 +127,7 @@ class GridWriter {
   }
 
   void write_links(const MinimalFace& face) {
-    if (grid_.sheet ? face.strip() : !format::has_stored_links(face)) return;
+    if (grid_.sheet ? face.strip() : !is_ambiguous(face)) return;
     outline_.clear();
     starts_below_.clear();
     for_each_hit(face, [&](const FaceEdge& edge, Index hit, int) {

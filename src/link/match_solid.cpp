@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// Pairing the hits round a minimal face of a solid.
+#include <algorithm>
+#include <limits>
+
+#include "kdmanifold/error.h"
+#include "link/match_face.h"
+#include "link/matching.h"
+#include "link/rim_hits.h"
+#include "prepare/rim.h"
+
+namespace kdm {
+namespace {
+
+// The dynamic programme is cubic; beyond this many hits neighbours are paired (paper's rule).
+constexpr Index kMatchingLimit = 256;
+
+// As many half-edges must lead up across a face as down. Checked in release builds too: nothing
+// sound can follow.
+void check_directions(const std::vector<OutlineHit>& outline) {
+  const auto upwards = static_cast<std::size_t>(std::count_if(
+      outline.begin(), outline.end(), [](const OutlineHit& h) { return h.starts_below; }));
+  if (2 * upwards != outline.size()) {
+    throw Error(ErrorCode::kInternal, "hits round a minimal face have no partners");
+  }
+}
+
+}  // namespace
+
+void SolidMatcher::operator()(const MinimalFace& face, const std::vector<OutlineHit>& outline,
+                              FaceMatch& match) {
+  check_directions(outline);
+  const bool several = outline.size() > 2;
+  match.guessed = false;
+  match.rims.clear();
+  if (pairing_ == Pairing::kTrace &&
+      (surface_.repair || (several && outline.size() <= kMatchingLimit))) {
+    trace_outline(surface_, triangle_of_hit_, face, outline, traces_);
+  }
+  if (several) {
+    pair_hits(face, outline, match);
+  } else {
+    match.partner.assign({1, 0});
+  }
+  if (surface_.repair && pairing_ == Pairing::kTrace) keep_rims(face, outline, match);
+}
+
+void SolidMatcher::pair_hits(const MinimalFace& face, const std::vector<OutlineHit>& outline,
+                             FaceMatch& match) {
+  const auto count = static_cast<Index>(outline.size());
+  if (pairing_ == Pairing::kInside || pairing_ == Pairing::kOutside || count > kMatchingLimit) {
+    match.guessed = pairing_ == Pairing::kTrace;
+    match.partner = pair_neighbours(outline, pairing_ != Pairing::kOutside);
+    return;
+  }
+  std::vector<Index> traced(count, kNone);
+  if (pairing_ == Pairing::kTrace) {
+    for (Index i = 0; i < count; ++i) traced[i] = traces_[i].end;
+  }
+  find_tangents(grid_, face, outline, tangents_);
+  // A traced pair costs nothing. To part one costs more than any deviation, which is a few squared
+  // extents of the lattice at most, about 1e13.
+  constexpr double kParting = 1e30;
+  match.partner = match_without_crossings(count, [&](Index i, Index j) {
+    if (!compatible(outline[i], outline[j])) return std::numeric_limits<double>::infinity();
+    if (traced[i] == j) return 0.0;
+    if (traced[i] != kNone || traced[j] != kNone) return kParting;
+    return deviation(tangents_[i], tangents_[j]);
+  });
+  match.guessed = pairing_ == Pairing::kTrace && match.partner != traced;
+}
+
+// Pairs consecutive hits, the ends of stretches of the outline inside the solid, or outside of it.
+std::vector<Index> SolidMatcher::pair_neighbours(const std::vector<OutlineHit>& outline,
+                                                 bool inside) const {
+  std::vector<bool> opens;
+  for (const OutlineHit& h : outline) {
+    // Where the outline runs up the grid edge it enters the solid at hits that are not leaving;
+    // where it runs down, at hits that are.
+    const bool enters = grid_.hits[h.hit].leaving() != h.ascending;
+    opens.push_back(enters == inside);
+  }
+  return match_brackets(opens);
+}
+
+// Keeps the point where the surface ends within the face, unless the partner's section ends there
+// too: then the surface goes on, but for a crack.
+void SolidMatcher::keep_rims(const MinimalFace& face, const std::vector<OutlineHit>& outline,
+                             FaceMatch& match) {
+  for (Index i = 0; i < outline.size(); ++i) {
+    if (traces_[i].rim == kNone) continue;
+    const RimHit rim = rim_hit(surface_, face, outline[i].half_edge, traces_[i].rim);
+    const SideId other = traces_[match.partner[i]].rim;
+    if (other != kNone && is_seam(rim.point, rim_point(surface_, other, face.axis, face.plane))) {
+      continue;
+    }
+    match.rims.push_back(rim);
+  }
+}
+
+}  // namespace kdm
