@@ -5,6 +5,7 @@
 #include <new>
 
 #include "construct/construct.h"
+#include "grid/count_stats.h"
 #include "kdmanifold/build.h"
 #include "kdmanifold/error.h"
 #include "kdmanifold/options.h"
@@ -39,19 +40,6 @@ int depth_limit(const BuildOptions& options) {
   return options.strategy == SplitStrategy::kUniform ? kUniformDepth : kMaxDepth;
 }
 
-// Counts what the finished grid holds.
-void complete_stats(const Surface& surface, GridData& grid) {
-  GridStats& stats = grid.stats;
-  stats.tolerance = grid.tolerance * grid.lattice.step;
-  stats.cells = static_cast<Index>(grid.cells.size());
-  stats.leaves = static_cast<Index>(grid.cells.size() - grid.cells.size() / 2);
-  stats.hits = static_cast<Index>(grid.hits.size());
-  stats.invented_hits = count_invented_hits(grid);
-  stats.topology_resolved = stats.topology_resolved && stats.guessed_faces == 0 && !surface.repair;
-  stats.sheet = grid.sheet;
-  stats.bytes = grid.bytes();
-}
-
 }  // namespace
 
 Grid build_grid(const Mesh& mesh, const BuildOptions& options, const Progress& progress) try {
@@ -79,7 +67,9 @@ Grid build_grid(const Mesh& mesh, const BuildOptions& options, const Progress& p
   }
   link_half_edges(surface, made.triangle_of_hit, options.pairing, *grid);
   keep_corners(surface, made.triangle_of_hit, *grid);
-  complete_stats(surface, *grid);
+  count_stats(*grid);
+  GridStats& stats = grid->stats;
+  stats.topology_resolved = stats.topology_resolved && stats.guessed_faces == 0 && !surface.repair;
   report_progress(progress, 1.0, "link");
   return Grid(std::move(grid));
 } catch (const std::bad_alloc&) {

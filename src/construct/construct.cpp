@@ -133,7 +133,6 @@ class Construction {
   void split_cell(const CellFrame& frame) {
     if (budget_.exceeded(model_.work(), frame.done_before)) return;
     progress_.count_cell(frame.done_before);
-    grid_.stats.depth = std::max(grid_.stats.depth, frame.depth);
     if (frame.triangles.size() == 0) return;
     const std::optional<Split> split =
         rule_->choose({frame.box, frame.depth, lists_.entries(frame.triangles), frame.rule,

@@ -34,12 +34,6 @@ std::vector<LatticeBox> cell_boxes(const GridData& grid) {
   return boxes;
 }
 
-Index count_invented_hits(const GridData& grid) {
-  Index count = 0;
-  for (Index h = 0; h < grid.hits.size(); ++h) count += grid.invented(h) ? 1 : 0;
-  return count;
-}
-
 void mark_active_sides(GridData& grid) {
   for (std::size_t c = grid.cells.size(); c-- > 0;) {
     Cell& cell = grid.cells[c];

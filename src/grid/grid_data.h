@@ -175,8 +175,6 @@ constexpr Index next_half_edge(Index half_edge, bool reversed) {
   return reversed ? first + (slot == 2 ? 0 : slot + 1) : first + (slot == 0 ? 2 : slot - 1);
 }
 
-Index count_invented_hits(const GridData& grid);
-
 /// Sets the cells' active sides; none is set before.
 void mark_active_sides(GridData& grid);
 

@@ -8,6 +8,7 @@
 #include <memory>
 #include <new>
 
+#include "grid/count_stats.h"
 #include "grid/saved/grid_format.h"
 #include "grid/saved/link_reader.h"
 #include "grid/saved/read_numbers.h"
@@ -43,11 +44,7 @@ class GridReader {
     grid_.source_faces.shrink_to_fit();
     mark_active_sides(grid_);
     read_links();
-    grid_.stats.cells = static_cast<Index>(grid_.cells.size());
-    grid_.stats.leaves = static_cast<Index>(grid_.cells.size() - grid_.cells.size() / 2);
-    grid_.stats.hits = static_cast<Index>(grid_.hits.size());
-    grid_.stats.invented_hits = count_invented_hits(grid_);
-    grid_.stats.bytes = grid_.bytes();
+    count_stats(grid_);
   }
 
  private:
@@ -84,9 +81,8 @@ class GridReader {
     input.closed = (flags & format::kClosed) != 0;
     input.flipped = (flags & format::kFlipped) != 0;
     input.lattice_step = grid_.lattice.step;
-    grid_.stats.tolerance = grid_.tolerance * grid_.lattice.step;
     grid_.stats.topology_resolved = (flags & format::kTopologyResolved) != 0;
-    grid_.sheet = grid_.stats.sheet = (flags & format::kSheet) != 0;
+    grid_.sheet = (flags & format::kSheet) != 0;
   }
 
   void read_cells(Index splits) {
@@ -126,7 +122,6 @@ class GridReader {
       add_split(c, below, axis, static_cast<std::int32_t>(value));
       depth[below] = depth[below + 1] = static_cast<std::uint8_t>(depth[c] + 1);
       if (depth[below] > kMaxDepth) bytes_.fail("a cell lies too deep");
-      grid_.stats.depth = std::max<int>(grid_.stats.depth, depth[below]);
       if ((packed & format::kAboveIsSplit) != 0) expect_split(below + 1);
       if ((packed & format::kBelowIsSplit) != 0) expect_split(below);
     }

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Statistics that can be counted in any grid.
+#pragma once
+
+#include "grid/grid_data.h"
+
+namespace kdm {
+
+/// Counts cells, leaves, depth, hits, hits of no input face, and bytes. Leaves the other statistics
+/// as they are. Linear in cells and hits.
+void count_stats(GridData& grid);
+
+/// Counts the minimal faces whose links do not follow from their hits: those with more than two
+/// hits that are no strips.
+Index count_ambiguous_faces(const GridData& grid);
+
+}  // namespace kdm
