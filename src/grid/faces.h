@@ -30,19 +30,21 @@ enum class EdgeOwner : std::uint8_t {
 /// One side of a minimal face: a range of hits of one splitting edge.
 struct FaceEdge {
   HitRange hits;
-  std::uint8_t slot = 0;  ///< of the half-edges that cross this face
+  std::uint8_t slot = 0;  ///< of the hits' half-edges that cross this face
   EdgeOwner owner = EdgeOwner::kFace;
 };
 
+/// The rectangle that the sides of two leaves on either side of a splitting plane have in common.
 struct MinimalFace {
-  Index below = 0;  ///< leaf on the lower side of the plane
-  Index above = 0;
-  int axis = 0;  ///< normal to the face; the others are u = axis + 1 and v = axis + 2
-  std::int32_t plane = 0;
-  /// Extent along u and v, doubled; the last bit tells splits of equal value apart.
+  CellId below = 0;        ///< the leaf on the lower side of the plane
+  CellId above = 0;        ///< the leaf on the upper side
+  int axis = 0;            ///< normal to the face; u and v are the axes after it
+  std::int32_t plane = 0;  ///< the coordinate along `axis`, lattice units
+  /// The extent along u and v in half lattice units: twice the value of the split that bounds it,
+  /// plus 1 if that split lies above the plane. So of coincident splits the lower one comes first.
   std::array<std::int32_t, 2> lo_key{};
   std::array<std::int32_t, 2> hi_key{};
-  /// As splitting edges are numbered: v low, u high, v high, u low.
+  /// Numbered as splitting edges are: bottom (v low), right (u high), top (v high), left (u low).
   std::array<FaceEdge, 4> edges;
 
   std::int32_t lo(int i) const { return lo_key[i] >> 1; }
@@ -63,7 +65,8 @@ inline std::pair<const FaceEdge&, const FaceEdge&> long_sides(const MinimalFace&
   return {strip.edges[first], strip.edges[first + 2]};
 }
 
-/// Does the half-edge of this slot start in the leaf below the face (or in the one above)?
+/// Does the half-edge across the face of a hit on this edge start in the leaf below the face? Else
+/// it starts in the leaf above. `reversed` is the hit's.
 constexpr bool starts_below(const FaceEdge& edge, bool reversed) {
   // !reversed: slot 0 V0->V1, slot 2 V1->VN, slot 1 VN->V0; reversed: the other way.
   if (edge.owner == EdgeOwner::kFace) return !reversed;
@@ -71,8 +74,8 @@ constexpr bool starts_below(const FaceEdge& edge, bool reversed) {
   return starts_in_child == (edge.owner == EdgeOwner::kBelow);
 }
 
-/// Calls `visit(edge, hit, side)` for every hit round the face, counter-clockwise: sides 0 and 1
-/// upwards, sides 2 and 3 downwards.
+/// Calls `visit(edge, hit, side)` for every hit round the face, counter-clockwise: up along sides 0
+/// and 1, down along sides 2 and 3. `edge` is the FaceEdge of that side.
 template <typename Visit>
 void for_each_hit(const MinimalFace& face, Visit&& visit) {
   for (int side = 0; side < 4; ++side) {
@@ -97,17 +100,19 @@ inline HitId first_above(const std::vector<Hit>& hits, HitRange range, std::int3
   return static_cast<HitId>(first - hits.begin());
 }
 
-/// Calls `visit(const MinimalFace&)` for every minimal face with a hit on one of its sides.
+/// Goes down the trees of the cells on both sides of a splitting face and calls
+/// `visit(const MinimalFace&)` for the minimal faces in it; use `for_each_face`.
 template <typename Visit>
 class FaceWalk {
  public:
+  /// Visits faces without hits only if `empty_too`; stops for good after `most_steps` steps.
   FaceWalk(const GridData& grid, Visit& visit, std::uint64_t most_steps, bool empty_too)
       : grid_(grid), visit_(visit), steps_left_(most_steps), empty_too_(empty_too) {}
 
   bool exhausted() const { return steps_left_ == 0; }
 
-  /// The faces within the splitting face of `cell`, which is not a leaf and has this box.
-  void splitting_face(const Cell& cell, const LatticeBox& box) {
+  /// Visits the minimal faces in the splitting face of `cell`, which is no leaf and has this box.
+  void visit_splitting_face(const Cell& cell, const LatticeBox& box) {
     MinimalFace face;
     face.axis = cell.axis();
     face.plane = cell.value();
@@ -140,7 +145,7 @@ class FaceWalk {
         return;
       }
       const Cell& cell = lower ? below : above;
-      Index& side = lower ? face.below : face.above;
+      CellId& side = lower ? face.below : face.above;
       if (cell.axis() == face.axis) {
         side = lower ? cell.above() : cell.below();
         continue;
@@ -161,7 +166,9 @@ class FaceWalk {
     }
   }
 
-  // Cuts the rectangle across direction i: `first` becomes the part below the split.
+  // Cuts the rectangle `second` at the split of `cell`, across direction i (0: u, 1: v). `first`, a
+  // copy of it, becomes the part below the split. `lower`: is `cell` on the lower side of the
+  // plane?
   void divide(const Cell& cell, bool lower, int i, std::int32_t key, MinimalFace& first,
               MinimalFace& second) const {
     first.hi_key[i] = key;
@@ -192,26 +199,26 @@ class FaceWalk {
   bool empty_too_;
 };
 
-/// Visits all minimal faces with hits, split by split. `boxes` from `cell_boxes`. Goes down at most
-/// `most_steps` steps of the trees (grids from outside may be made to take endlessly many) and says
-/// whether they were enough.
+/// Calls `visit(const MinimalFace&)` for every minimal face with a hit on one of its sides, cell by
+/// cell. `boxes` come from `cell_boxes`. Takes `most_steps` steps down the trees at most, because
+/// grids from files may be made to take endlessly many, and returns whether all faces were visited.
 template <typename Visit>
 bool for_each_face(const GridData& grid, const std::vector<LatticeBox>& boxes, Visit&& visit,
                    std::uint64_t most_steps = ~std::uint64_t{0}) {
   FaceWalk<std::remove_reference_t<Visit>> walk(grid, visit, most_steps, false);
-  for (std::size_t c = 0; c < grid.cells.size() && !walk.exhausted(); ++c) {
-    if (!grid.cells[c].leaf()) walk.splitting_face(grid.cells[c], boxes[c]);
+  for (CellId c = 0; c < grid.cells.size() && !walk.exhausted(); ++c) {
+    if (!grid.cells[c].leaf()) walk.visit_splitting_face(grid.cells[c], boxes[c]);
   }
   return !walk.exhausted();
 }
 
-/// Visits all minimal faces, those without hits as well.
+/// Calls `visit(const MinimalFace&)` for every minimal face, with or without hits.
 template <typename Visit>
 void for_each_face_or_empty(const GridData& grid, const std::vector<LatticeBox>& boxes,
                             Visit&& visit) {
   FaceWalk<std::remove_reference_t<Visit>> walk(grid, visit, ~std::uint64_t{0}, true);
-  for (std::size_t c = 0; c < grid.cells.size(); ++c) {
-    if (!grid.cells[c].leaf()) walk.splitting_face(grid.cells[c], boxes[c]);
+  for (CellId c = 0; c < grid.cells.size(); ++c) {
+    if (!grid.cells[c].leaf()) walk.visit_splitting_face(grid.cells[c], boxes[c]);
   }
 }
 

@@ -53,18 +53,21 @@ inline constexpr int kMaxDepth = 3 * kLatticeBits;
 class Cell {
  public:
   Cell() = default;  // a leaf
-  Cell(Index first_child, int axis, std::int32_t value)
+  Cell(CellId first_child, int axis, std::int32_t value)
       : first_child_(first_child),
         packed_(static_cast<std::uint32_t>(value) | static_cast<std::uint32_t>(axis) << 21) {}
 
   bool leaf() const { return first_child_ == 0; }
-  Index below() const { return first_child_; }
-  Index above() const { return first_child_ + 1; }
-  Index split() const { return (first_child_ - 1) / 2; }
+  /// The children on either side of the splitting plane. These and what follows: not of a leaf.
+  CellId below() const { return first_child_; }
+  CellId above() const { return first_child_ + 1; }
+  SplitId split() const { return (first_child_ - 1) / 2; }
+  /// The splitting plane is normal to `axis`, at coordinate `value` (lattice units).
   int axis() const { return static_cast<int>(packed_ >> 21 & 3u); }
   std::int32_t value() const { return static_cast<std::int32_t>(packed_ & 0x1fffffu); }
 
-  /// Does a splitting edge on this side of the cell, made within the cell, carry a hit?
+  /// Does a splitting edge that lies on this side of the cell, and is of a split within the cell,
+  /// carry a hit? Leaves have no active sides.
   bool active(int axis, bool high) const { return (packed_ >> side_bit(axis, high) & 1u) != 0; }
   void set_active(int axis, bool high) { packed_ |= 1u << side_bit(axis, high); }
   void clear_active() { packed_ &= ~(63u << 23); }
@@ -78,16 +81,17 @@ static_assert(sizeof(Cell) == 8);
 
 /// An intersection of the surface with a grid edge: 8 bytes.
 struct Hit {
-  LinePosition position;  ///< along the edge
-  std::uint32_t packed;   ///< 30 bits plane, then the two flags
+  LinePosition position;  ///< the coordinate along the edge
+  std::uint32_t packed;   ///< 30 bits number of the plane, then the two flags
 
   Hit() = default;
-  Hit(LinePosition where, Index plane, bool leaving, bool reversed)
+  Hit(LinePosition where, PlaneId plane, bool leaving, bool reversed)
       : position(where), packed(plane | (reversed ? kReversed : 0u) | (leaving ? kLeaving : 0u)) {}
 
-  Index plane() const { return packed & kPlaneMask; }  ///< index into GridData::planes
-  /// Going up along the edge, does the hit lead out of the solid? (Its normal points up.)
+  PlaneId plane() const { return packed & kPlaneMask; }  ///< number in GridData::planes
+  /// Does the hit lead out of the solid as one goes up along the edge? Then its normal points up.
   bool leaving() const { return (packed & kLeaving) != 0; }
+  /// Does the hit's triangle run V0 VN V1?
   bool reversed() const { return (packed & kReversed) != 0; }
 
   static constexpr std::uint32_t kLeaving = 1u << 31;
@@ -96,52 +100,55 @@ struct Hit {
 };
 static_assert(sizeof(Hit) == 8);
 
-/// Where the rim of an open surface leaves a minimal face whose link it cuts off, and the half-edge
-/// of the hit at the other end of the surface's section with the face. A sheet's lies on the
-/// boundary; a solid's is linked to what closes the surface.
+/// The point where the rim of an open surface passes through a minimal face. There the surface's
+/// section with the face ends, which begins at a hit. On a sheet, the hit's half-edge across the
+/// face lies on the boundary; on a solid, it is linked to a hit of what closes the surface.
 struct RimHit {
-  Index half_edge;
+  HalfEdgeId half_edge;
   Vec3 point;   ///< on the face, lattice coordinates
   Vec3 normal;  ///< of the plane through the rim upright on the surface; zero if there is none
 };
 
-/// A corner of the surface in the leaf of a loop, of which the hits' planes do not tell.
+/// A corner of the surface in the leaf of a loop. The planes of the loop's hits do not meet there,
+/// as one of the faces that form the corner is not hit.
 struct KeptCorner {
-  Index half_edge;  ///< the lowest of the loop
-  Vec3 point;       ///< lattice coordinates
+  HalfEdgeId half_edge;  ///< of the loop's half-edges, the one with the lowest number
+  Vec3 point;            ///< lattice coordinates
 };
 
 /// Number of splitting edge `i` (0 to 3) of a split.
 constexpr EdgeId edge_of_split(SplitId split, int i) { return 4 * split + static_cast<EdgeId>(i); }
 
+/// A grid: its cells, the hits on their edges and the links between the hits' half-edges.
 struct GridData {
   Lattice lattice;
-  double tolerance = 0;           ///< asked for, in lattice units; never 0 in a built grid
-  std::vector<Cell> cells;        ///< cell 0 is the root; 2 * splits + 1 of them
-  std::vector<Index> edge_begin;  ///< first hit of each splitting edge, and the number of hits
-  std::vector<Hit> hits;
-  std::vector<Index> opposite;  ///< per half-edge: the half-edge it is linked to; kNone: boundary
-  /// Per half-edge: the leaf in which it starts, and whether its link crosses a strip.
-  std::vector<std::uint32_t> start;
-  /// Of input faces with hits, in the order of the first hits; their normals point out of the
-  /// solid.
+  double tolerance = 0;     ///< how far the result may be off, lattice units; never 0 if built
+  std::vector<Cell> cells;  ///< cell 0 is the root; 2 * splits() + 1 of them
+  std::vector<HitId> edge_begin;     ///< per splitting edge its first hit; last, the number of hits
+  std::vector<Hit> hits;             ///< edge by edge
+  std::vector<HalfEdgeId> opposite;  ///< per half-edge the one it is linked to; kNone: boundary
+  std::vector<std::uint32_t> start;  ///< per half-edge: see `start_leaf` and `crosses_strip`
+  /// The planes of the input's faces with hits, lattice units, in the order of their first hits;
+  /// normals point out of the solid.
   std::vector<Plane> planes;
-  std::vector<Index> source_faces;  ///< per plane: the input face it is of; kNone: invented
-  bool sheet = false;               ///< not a solid's: half-edges may lie on the boundary
-  std::vector<RimHit> rims;         ///< ascending; not all half-edges on a boundary need have one
-  std::vector<KeptCorner> corners;  ///< ascending; one a loop at most
+  std::vector<Index> source_faces;  ///< per plane the number of its input face; kNone: invented
+  bool sheet = false;               ///< of no solid: half-edges may lie on the boundary
+  std::vector<RimHit> rims;  ///< ascending by half-edge; a half-edge on the boundary may have none
+  std::vector<KeptCorner> corners;  ///< ascending by half-edge; a loop has one at most
   GridStats stats;
   InputReport input;
 
-  static constexpr std::uint32_t kStrip = 1u << 31;
-  Index start_leaf(Index half_edge) const { return start[half_edge] & ~kStrip; }
-  bool crosses_strip(Index half_edge) const { return (start[half_edge] & kStrip) != 0; }
+  static constexpr std::uint32_t kStrip = 1u << 31;  ///< in `start`, beside the leaf
+  /// The leaf in which a half-edge starts.
+  CellId start_leaf(HalfEdgeId half_edge) const { return start[half_edge] & ~kStrip; }
+  /// Is the minimal face that a half-edge crosses a strip?
+  bool crosses_strip(HalfEdgeId half_edge) const { return (start[half_edge] & kStrip) != 0; }
   HitRange edge_hits(EdgeId edge) const { return {edge_begin[edge], edge_begin[edge + 1]}; }
   /// Hits of splitting edge `i` (0 to 3) of a split.
   HitRange edge_hits(SplitId split, int i) const { return edge_hits(edge_of_split(split, i)); }
-  const Plane& plane_of(Index hit) const { return planes[hits[hit].plane()]; }
-  /// Of no input face, but where a hole was closed.
-  bool invented(Index hit) const { return source_faces[hits[hit].plane()] == kNone; }
+  const Plane& plane_of(HitId hit) const { return planes[hits[hit].plane()]; }
+  /// Was the hit made to close a hole, so that its plane is of no input face?
+  bool invented(HitId hit) const { return source_faces[hits[hit].plane()] == kNone; }
   Index splits() const { return static_cast<Index>(cells.size() / 2); }
   std::size_t bytes() const;
 };
@@ -157,8 +164,8 @@ constexpr int axis_of_edge(int axis, int i) {
   return i % 2 == 0 ? next_axis(axis) : previous_axis(axis);
 }
 
-/// Is the triangle of a hit on splitting edge `i` reversed? Its normal must point up the edge iff
-/// the hit is leaving.
+/// Is the triangle of a hit on splitting edge `i` (0 to 3) reversed? The triangle's normal must
+/// point up the edge exactly if the hit is leaving.
 constexpr bool reversed_on_edge(int i, bool leaving) {
   // Edge 0 runs along u; V0 is at -w, V1 at +w and VN at -v: seen from +u that is
   // counter-clockwise. A quarter turn about w gives edge 1, along v. Edges 2 and 3 run against the
@@ -167,18 +174,18 @@ constexpr bool reversed_on_edge(int i, bool leaving) {
   return counter_clockwise != leaving;
 }
 
-/// Half-edge that follows within its triangle.
-constexpr Index next_half_edge(Index half_edge, bool reversed) {
+/// Returns the half-edge that follows in the triangle of its hit, given whether that is reversed.
+constexpr HalfEdgeId next_half_edge(HalfEdgeId half_edge, bool reversed) {
   const Index slot = half_edge % 3;
-  const Index first = half_edge - slot;
+  const HalfEdgeId first = half_edge - slot;
   // V0 V1 VN has slots 0 2 1 in turn; V0 VN V1 has 1 2 0.
   return reversed ? first + (slot == 2 ? 0 : slot + 1) : first + (slot == 0 ? 2 : slot - 1);
 }
 
-/// Sets the cells' active sides; none is set before.
+/// Sets the active sides of all cells, of which none may be set before. Linear in the cells.
 void mark_active_sides(GridData& grid);
 
-/// Axis-aligned extent of every leaf; other cells' entries are their own boxes as well.
+/// Computes the box of every cell, leaf or not.
 std::vector<LatticeBox> cell_boxes(const GridData& grid);
 
 }  // namespace kdm

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every invariant of a grid, checked.
+// Checking the invariants of a grid, rule by rule.
 #include "grid/validate.h"
 
 #include <fmt/format.h>
@@ -7,6 +7,7 @@
 #include "grid/faces.h"
 #include "grid/splitting_edges.h"
 #include "kdmanifold/error.h"
+#include "mesh/marks.h"
 
 namespace kdm {
 namespace {
@@ -20,7 +21,7 @@ void require(bool condition, const char* rule, std::size_t where) {
 // The numbers of children and axes, before anything follows them.
 void validate_cells(const GridData& grid) {
   require(grid.cells.size() % 2 == 1, "there is a root and two cells a split", grid.cells.size());
-  std::vector<char> is_child(grid.cells.size(), 0);
+  Marks is_child(grid.cells.size());
   for (std::size_t c = 0; c < grid.cells.size(); ++c) {
     const Cell& cell = grid.cells[c];
     if (cell.leaf()) continue;
@@ -28,12 +29,11 @@ void validate_cells(const GridData& grid) {
             c);
     require(cell.below() % 2 == 1, "children are adjacent, the lower one odd", c);
     require(cell.axis() < 3, "a split has an axis", c);
-    for (const Index child : {cell.below(), cell.above()}) {
-      require(is_child[child] == 0, "a cell has one parent", child);
-      is_child[child] = 1;
+    for (const CellId child : {cell.below(), cell.above()}) {
+      require(!is_child.test_and_set(child), "a cell has one parent", child);
     }
   }
-  for (std::size_t c = 1; c < is_child.size(); ++c) require(is_child[c] != 0, "no cell is lost", c);
+  for (std::size_t c = 1; c < is_child.size(); ++c) require(is_child.test(c), "no cell is lost", c);
   std::vector<int> depth(grid.cells.size(), 0);
   for (std::size_t c = 0; c < grid.cells.size(); ++c) {
     require(depth[c] <= kMaxDepth, "no cell lies deeper than midpoints can", c);
@@ -89,11 +89,12 @@ void validate_planes(const GridData& grid) {
   require(met == grid.planes.size(), "planes come in the order of their first hits", met);
 }
 
-// Links join half-edges of one minimal face that run against each other; a solid's without
-// crossings.
+// Checks half-edges and links, face by face: links join half-edges of one minimal face that run
+// against each other. A solid's do not cross.
 class FaceValidation {
  public:
-  explicit FaceValidation(const GridData& grid) : grid_(grid), seen_(3 * grid.hits.size(), 0) {
+  explicit FaceValidation(const GridData& grid)
+      : grid_(grid), crosses_a_face_(3 * grid.hits.size()) {
     if (grid.sheet) face_of_.assign(3 * grid.hits.size(), 0);
   }
 
@@ -101,53 +102,55 @@ class FaceValidation {
     require(grid_.cells[face.below].leaf() && grid_.cells[face.above].leaf(),
             "a minimal face lies between leaves", face.below);
     outline_.clear();
-    for_each_hit(face, [&](const FaceEdge& edge, Index hit, int) {
-      const Index half_edge = 3 * hit + edge.slot;
-      require(seen_[half_edge]++ == 0, "a half-edge crosses one minimal face", half_edge);
+    for_each_hit(face, [&](const FaceEdge& edge, HitId hit, int) {
+      const HalfEdgeId half_edge = 3 * hit + edge.slot;
+      require(!crosses_a_face_.test_and_set(half_edge), "a half-edge crosses one minimal face",
+              half_edge);
       outline_.push_back(half_edge);
-      const Index leaf = starts_below(edge, grid_.hits[hit].reversed()) ? face.below : face.above;
+      const CellId leaf = starts_below(edge, grid_.hits[hit].reversed()) ? face.below : face.above;
       require(grid_.start_leaf(half_edge) == leaf, "a half-edge starts in its leaf", half_edge);
       require(grid_.crosses_strip(half_edge) == face.strip(), "strips are marked", half_edge);
     });
     if (grid_.sheet) {
       ++faces_;
-      for (const Index half_edge : outline_) face_of_[half_edge] = faces_;
+      for (const HalfEdgeId half_edge : outline_) face_of_[half_edge] = faces_;
     } else {
       validate_links();
     }
   }
 
   void finish() const {
-    for (std::size_t h = 0; h < seen_.size(); ++h) {
-      require(seen_[h] == 1, "every half-edge crosses a minimal face", h);
+    for (HalfEdgeId h = 0; h < crosses_a_face_.size(); ++h) {
+      require(crosses_a_face_.test(h), "every half-edge crosses a minimal face", h);
     }
     if (grid_.sheet) validate_sheet_links();
   }
 
  private:
-  // Links may cross where the input does, and be missing; not where one hit lies on two edges.
+  // Links of a sheet may cross, where the input crosses itself, and may be missing, but not across
+  // strips, whose two sides carry the same hits.
   void validate_sheet_links() const {
-    for (std::size_t h = 0; h < seen_.size(); ++h) {
-      const Index other = grid_.opposite[h];
+    for (HalfEdgeId h = 0; h < crosses_a_face_.size(); ++h) {
+      const HalfEdgeId other = grid_.opposite[h];
       if (other == kNone) {
-        require(!grid_.crosses_strip(static_cast<Index>(h)), "strips are linked", h);
+        require(!grid_.crosses_strip(h), "strips are linked", h);
         continue;
       }
-      require(other < seen_.size() && grid_.opposite[other] == h, "links are mutual", h);
-      require(grid_.start_leaf(static_cast<Index>(h)) != grid_.start_leaf(other),
+      require(other < crosses_a_face_.size() && grid_.opposite[other] == h, "links are mutual", h);
+      require(grid_.start_leaf(h) != grid_.start_leaf(other),
               "linked half-edges run against each other", h);
       require(face_of_[h] == face_of_[other], "links of a face join its own hits and do not cross",
               h);
     }
   }
 
-  // Links nest like brackets.
+  // Links of a solid nest like brackets round the face.
   void validate_links() {
     open_.clear();
-    for (const Index half_edge : outline_) {
-      const Index other = grid_.opposite[half_edge];
-      require(other < seen_.size() && grid_.opposite[other] == half_edge, "links are mutual",
-              half_edge);
+    for (const HalfEdgeId half_edge : outline_) {
+      const HalfEdgeId other = grid_.opposite[half_edge];
+      require(other < crosses_a_face_.size() && grid_.opposite[other] == half_edge,
+              "links are mutual", half_edge);
       require(grid_.start_leaf(half_edge) != grid_.start_leaf(other),
               "linked half-edges run against each other", half_edge);
       if (!open_.empty() && open_.back() == half_edge) {
@@ -161,16 +164,16 @@ class FaceValidation {
   }
 
   const GridData& grid_;
-  std::vector<char> seen_;
-  std::vector<Index> face_of_;  // per half-edge of a sheet: the face it crosses
-  Index faces_ = 0;
-  std::vector<Index> outline_;
-  std::vector<Index> open_;
+  Marks crosses_a_face_;        // per half-edge
+  std::vector<Index> face_of_;  // per half-edge of a sheet: the number of the face it crosses
+  Index faces_ = 0;             // that were visited
+  std::vector<HalfEdgeId> outline_;
+  std::vector<HalfEdgeId> open_;  // the ends, not met yet, of the links that have begun
 };
 
 void validate_rims(const GridData& grid) {
   for (std::size_t i = 0; i < grid.rims.size(); ++i) {
-    const Index half_edge = grid.rims[i].half_edge;
+    const HalfEdgeId half_edge = grid.rims[i].half_edge;
     require(half_edge < grid.opposite.size(), "a rim is of a half-edge", i);
     require(!grid.sheet || grid.opposite[half_edge] == kNone,
             "a sheet's rim is of a half-edge on the boundary", i);
@@ -180,7 +183,7 @@ void validate_rims(const GridData& grid) {
 
 void validate_corners(const GridData& grid) {
   for (std::size_t i = 0; i < grid.corners.size(); ++i) {
-    const Index half_edge = grid.corners[i].half_edge;
+    const HalfEdgeId half_edge = grid.corners[i].half_edge;
     require(half_edge < grid.opposite.size(), "a corner is of a half-edge", i);
     require(i == 0 || grid.corners[i - 1].half_edge < half_edge, "corners ascend", i);
   }

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Every invariant of a grid, checked.
+// Checking the invariants of a grid.
 #pragma once
 
 #include "grid/grid_data.h"
 
 namespace kdm {
 
-/// Throws `kInternal` naming the first broken rule of src/README.md's list. Linear in the grid.
+/// Checks every rule of the list in src/README.md and throws an Error of code `kInternal` that
+/// names the first broken one. May be given anything: a rule reads only what those before it have
+/// made safe. Linear in cells and hits for grids that are built.
 void validate(const GridData& grid);
 
 }  // namespace kdm

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Corners of the surface that the hits round them do not show.
+// Finding corners of the surface that the hits round them do not show.
 #pragma once
 
 #include <span>

@@ -12,7 +12,8 @@
 namespace kdm {
 namespace {
 
-// The dynamic programme is cubic; beyond this many hits neighbours are paired (paper's rule).
+// The dynamic programme is cubic: 3 million steps with so many hits. With more, neighbours are
+// paired, which is the rule of the paper.
 constexpr Index kMatchingLimit = 256;
 
 // As many half-edges must lead up across a face as down. Checked in release builds too: nothing

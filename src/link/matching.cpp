@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Dynamic programme over intervals: the first point of an interval is paired with every point it
-// may be paired with, which leaves two independent intervals.
+// Pairing points on a circle without crossings, by a dynamic programme over intervals: to pair the
+// first point of an interval with another one leaves two intervals that are independent.
 #include "link/matching.h"
 
 #include <limits>
@@ -10,8 +10,8 @@
 namespace kdm {
 namespace {
 
-// From the partner of point i in the n points from i on, choice[i * (count + 1) + n], kNone if it
-// is left alone there, to each point's partner.
+// Returns each point's partner. `choice[i * (count + 1) + n]` is the partner of point i when only
+// the n points from i on are paired, or kNone if it is left alone then.
 std::vector<Index> partners_of(const std::vector<Index>& choice, Index count) {
   const std::size_t row = count + 1;
   std::vector<Index> partner(count, kNone);
@@ -91,9 +91,9 @@ std::vector<Index> match_brackets(const std::vector<bool>& opens) {
 
 namespace {
 
-constexpr Index kCubicLimit = 256;
+constexpr Index kCubicLimit = 256;  // points, with which cubic time is 3 million steps
 
-// Like brackets: each point takes the last one still open if it may.
+// Pairs each point with the last one before it that has no partner, if these two may be paired.
 std::vector<Index> match_like_brackets(Index count,
                                        const std::function<bool(Index, Index)>& may_pair) {
   std::vector<Index> partner(count, kNone);
@@ -110,7 +110,7 @@ std::vector<Index> match_like_brackets(Index count,
   return partner;
 }
 
-// Points left alone count before cost.
+// The price of a pairing: fewer points left alone are better whatever the cost.
 struct Price {
   Index alone = 0;
   double cost = 0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Grids from and to files. Apart from the rest, for the WebAssembly build has no files.
+// Reading grids from files and writing them. Apart from load_grid.cpp and save_grid.cpp because the
+// WebAssembly build has no files.
 #include <fmt/format.h>
 
 #include <new>

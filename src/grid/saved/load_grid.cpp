@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Bytes -> grid; grid_format.h describes them.
+// Reading a grid from bytes; grid_format.h describes them.
 //
-// The bytes may come from anybody, so the checksum proves nothing. Every number is held against
-// its range where it is read, every count against the bytes that are left (so no allocation exceeds
-// a fixed multiple of the file), tree walks against a limit of steps; what is left is `validate`'s.
+// The bytes may come from anybody, so the checksum proves nothing. Every number is checked against
+// its range where it is read. Every count is checked against the number of bytes that are left, so
+// that no allocation exceeds a fixed multiple of the file. Walks down the trees have a limit of
+// steps. Whatever else may be wrong is found by `validate`.
 #include <limits>
 #include <memory>
 #include <new>
@@ -90,18 +91,18 @@ class GridReader {
     enum State : char { kLeaf, kPending, kDone };
     std::vector<State> state(cells, kLeaf);
     std::vector<std::uint8_t> depth(cells, 0);
-    std::vector<Index> pending;
+    std::vector<CellId> pending;
     grid_.cells.assign(cells, Cell());
     boxes_.assign(cells, LatticeBox());
-    const auto expect_split = [&](Index cell) {
+    const auto expect_split = [&](CellId cell) {
       state[cell] = kPending;
       pending.push_back(cell);
     };
     if (splits > 0) expect_split(0);
-    for (Index k = 0; k < splits; ++k) {
+    for (SplitId k = 0; k < splits; ++k) {
       constexpr std::uint64_t kMost = std::uint64_t{8 * 3 * 2} * kLatticeSize;
       const std::uint64_t packed = bytes_.take_varint(kMost, "a split");
-      Index c = 0;
+      CellId c = 0;
       if ((packed & format::kStray) != 0) {
         c = take_index(2 * k, "the cell of a split");
       } else {
@@ -141,7 +142,7 @@ class GridReader {
     grid_.edge_begin.reserve(4 * std::size_t{splits} + 1);
     grid_.edge_begin.push_back(0);
     std::uint64_t total = 0;
-    for (Index k = 0; k < splits; ++k) {
+    for (SplitId k = 0; k < splits; ++k) {
       bytes_.require(1, 1, "edge");
       const unsigned packed = bytes_.take_unsigned<std::uint8_t>();
       for (int i = 0; i < 4; ++i) {
@@ -217,7 +218,7 @@ class GridReader {
   ByteReader& bytes_;
   GridData& grid_;
   std::vector<LatticeBox> boxes_;
-  std::int64_t source_before_ = 0;
+  std::int64_t source_before_ = 0;  // the source face of the last plane read
 };
 
 // Throws unless the payload is whole and undamaged.

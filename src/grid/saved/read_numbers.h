@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Real numbers of a saved grid, held against what they may be.
+// Reading real numbers of a saved grid, each checked against its range.
 #pragma once
 
 #include <fmt/format.h>
@@ -12,7 +12,8 @@
 
 namespace kdm {
 
-/// The next number. Throws unless it is within the bounds: what is not finite fails.
+/// Reads the next number, which error messages call `what`. Throws unless it lies in [least, most];
+/// a number that is not finite does not.
 inline double take_real(ByteReader& bytes, double least, double most, std::string_view what) {
   bytes.require(1, sizeof(double), what);
   const std::size_t at = bytes.offset();
@@ -24,7 +25,8 @@ inline double take_real(ByteReader& bytes, double least, double most, std::strin
   return value;
 }
 
-/// The next three numbers. Throws unless they are a vector of length 1, or 0 if that is allowed.
+/// Reads the next three numbers, which error messages call `what`. Throws unless they form a vector
+/// of length 1, up to rounding, or of length 0 if it `may_be_zero`.
 inline Vec3 take_normal(ByteReader& bytes, bool may_be_zero, std::string_view what) {
   Vec3 normal;
   const std::size_t at = bytes.offset();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Grid -> bytes, section by section; grid_format.h describes them.
+// Writing a grid as bytes, section by section; grid_format.h describes them.
 #include <algorithm>
 #include <new>
 #include <utility>
@@ -12,6 +12,7 @@
 #include "io/bytes.h"
 #include "kdmanifold/error.h"
 #include "kdmanifold/grid_io.h"
+#include "mesh/marks.h"
 
 namespace kdm {
 namespace {
@@ -61,15 +62,15 @@ class GridWriter {
                   (grid_.sheet ? format::kSheet : 0)));
   }
 
-  // Keeps account of what the reader knows: `pending` are the cells known to be split, of which
-  // those that have been are `done`.
+  // Keeps account of what the reader knows at each split: `pending` are the cells that it knows are
+  // split, and `done` marks those of them whose splits are written already.
   void write_cells() {
-    std::vector<char> done(grid_.cells.size(), 0);
-    std::vector<Index> pending{0};
+    Marks done(grid_.cells.size());
+    std::vector<CellId> pending{0};
     for (const CellId c : cells_of_splits(grid_)) {
-      while (done[pending.back()] != 0) pending.pop_back();
+      while (done.test(pending.back())) pending.pop_back();
       const bool stray = pending.back() != c;
-      done[c] = 1;
+      done.set(c);
       const Cell& cell = grid_.cells[c];
       const bool below_is_split = !grid_.cells[cell.below()].leaf();
       const bool above_is_split = !grid_.cells[cell.above()].leaf();
@@ -100,8 +101,8 @@ class GridWriter {
   }
 
   void write_hits() {
-    Index met = 0;
-    Index source_before = 0;
+    PlaneId met = 0;          // planes written so far
+    Index source_before = 0;  // the source face of the last one
     for_each_splitting_edge(grid_, boxes_, [&](const SplittingEdge& edge) {
       auto lowest = static_cast<std::uint64_t>(edge.box.lo[edge.axis]) << kFractionBits;
       for (const HitId h : edge.hits) {
@@ -130,7 +131,7 @@ class GridWriter {
     if (grid_.sheet ? face.strip() : !is_ambiguous(face)) return;
     outline_.clear();
     starts_below_.clear();
-    for_each_hit(face, [&](const FaceEdge& edge, Index hit, int) {
+    for_each_hit(face, [&](const FaceEdge& edge, HitId hit, int) {
       outline_.push_back(3 * hit + edge.slot);
       starts_below_.push_back(starts_below(edge, grid_.hits[hit].reversed()));
     });
@@ -179,11 +180,12 @@ class GridWriter {
     write_kept(grid_.corners, [&](const KeptCorner& corner) { write_vector(corner.point); });
   }
 
-  // What is kept of some half-edges, in the order of these.
+  // Writes what is kept for some half-edges, in ascending order of these: the half-edge of each
+  // one, then the rest by `write`.
   template <typename Kept, typename Write>
   void write_kept(const std::vector<Kept>& kept, const Write& write) {
     append_varint(out_, kept.size());
-    Index next = 0;
+    HalfEdgeId next = 0;
     for (const Kept& one : kept) {
       append_varint(out_, one.half_edge - next);
       next = one.half_edge + 1;
@@ -198,13 +200,13 @@ class GridWriter {
   const GridData& grid_;
   std::vector<LatticeBox> boxes_;
   std::string out_;
-  // Of the face at hand: its half-edges in order, and which start below it.
-  std::vector<Index> outline_;
+  // Of the face at hand: its half-edges in order, and which of them start below it.
+  std::vector<HalfEdgeId> outline_;
   std::vector<bool> starts_below_;
   SheetLinkDecisions decide_;
-  std::vector<Index> place_;  // per half-edge: in the outline
-  unsigned byte_ = 0;         // bits that do not fill a byte yet
-  int bits_ = 0;
+  std::vector<Index> place_;  // per half-edge of the face at hand: its place in the outline
+  unsigned byte_ = 0;         // bits that do not fill a byte yet, lowest first
+  int bits_ = 0;              // how many these are
 };
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What has to be told of a sheet's links across one minimal face; saving and loading share it.
+// Which yes-or-no questions must be answered to know a sheet's links across one minimal face.
+// Saving writes the answers, loading reads them.
 #pragma once
 
 #include <algorithm>
@@ -12,10 +13,13 @@ namespace kdm {
 
 class SheetLinkDecisions {
  public:
-  /// Goes through the hits round a face, of which some start below it. Of each hit that has no
-  /// partner yet, though later ones without partner run against it, asks `linked(i)`; if so, of
-  /// these in turn `partner(i, j)` until it is so, the last without asking; then calls
-  /// `link(i, j)`. Takes as many steps as there are hits and questions.
+  /// Asks what it must know of the links of one face and tells these.
+  ///
+  /// The hits round the face are numbered in cyclic order; `starts_below[i]` says where the
+  /// half-edge of hit i starts. For each hit i that has no partner yet while later hits without
+  /// partner run against it, it asks whether it has one, `linked(i)`. If so, it asks for these
+  /// later hits j in turn, `partner(i, j)`, until the answer is yes; the last of them needs no
+  /// question. Then it calls `link(i, j)`. Takes as many steps as there are hits and questions.
   template <typename Linked, typename Partner, typename Link>
   void operator()(const std::vector<bool>& starts_below, Linked&& linked, Partner&& partner,
                   Link&& link) {
@@ -36,7 +40,7 @@ class SheetLinkDecisions {
   }
 
  private:
-  // The hits of one direction that have no partner, from `front` on.
+  // The hits of one direction; those from `front` on have no partner yet.
   struct Open {
     std::vector<Index> hits;
     std::size_t front = 0;
@@ -53,7 +57,7 @@ class SheetLinkDecisions {
       ++front;
     }
   };
-  std::array<Open, 2> open_;
+  std::array<Open, 2> open_;  // by starts_below
 };
 
 }  // namespace kdm
