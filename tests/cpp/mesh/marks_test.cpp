@@ -41,10 +41,13 @@ TEST(Marks, TellWhetherANumberWasMarkedBefore) {
   EXPECT_FALSE(marks.test(0));
 }
 
+// Not inlined: GCC 12 takes the growth of a vector for an overflow where it knows all sizes.
+[[gnu::noinline]] void resize(Marks& marks, std::size_t size) { marks.resize(size); }
+
 TEST(Marks, KeepFlagsWhenResizedAndLoseThemWhenAssigned) {
-  Marks marks(1);
-  marks.set(0);
-  marks.resize(2);
+  Marks marks;
+  marks.push_back(true);
+  resize(marks, 2);
   EXPECT_TRUE(marks.test(0));
   EXPECT_FALSE(marks.test(1));
   marks.push_back(true);
