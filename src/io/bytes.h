@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Numbers in binary files: read with checks against the end, written to a string. Bytes are put
-// together by shifts, so the machine's own order does not matter.
+// Reads numbers from binary files and appends them to strings. Numbers are put together from bytes
+// by shifts, so the order in which the machine keeps bytes does not matter.
 #pragma once
 
 #include <fmt/format.h>
@@ -14,18 +14,24 @@
 
 namespace kdm {
 
+/// The order of the bytes of a number in a file: lowest or highest first.
 enum class ByteOrder { kLittle, kBig };
 
+/// Reads numbers one after the other. Only `require` and `take_varint` check that the bytes are
+/// there; call `require` before anything else is taken or skipped.
 class ByteReader {
  public:
-  /// Starts at byte `offset`. Both views must outlive the reader.
+  /// Starts at byte `offset`. `name` is what messages call the file. Both views must outlive the
+  /// reader.
   ByteReader(std::string_view bytes, std::string_view name, ByteOrder order, std::size_t offset)
       : bytes_(bytes), name_(name), order_(order), at_(offset) {}
 
+  /// Returns the place of the next byte in the file.
   std::size_t offset() const { return at_; }
   std::size_t bytes_left() const { return bytes_.size() - at_; }
 
-  /// Throws unless `count` items of `size` bytes are left; nothing is multiplied that could wrap.
+  /// Throws `kParseError` unless `count` items of `size` bytes are left. `what` names an item.
+  /// Counts may be as large as they like: no product overflows.
   void require(std::uint64_t count, std::size_t size, std::string_view what) const {
     if (size != 0 && count > bytes_left() / size) {
       fail(fmt::format("{} x {} of {} bytes should follow, but the file ends at byte {}", count,
@@ -34,9 +40,10 @@ class ByteReader {
   }
   void skip(std::size_t count) { at_ += count; }
 
+  /// Takes an unsigned integer of as many bytes as the type has.
   template <typename Unsigned>
   Unsigned take_unsigned() {
-    // One loop for each order: compilers make one load of each.
+    // Two loops, of which compilers make a single load each.
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(bytes_[at_ + i]); };
     Unsigned value = 0;
     if (order_ == ByteOrder::kLittle) {
@@ -52,8 +59,9 @@ class ByteReader {
     at_ += sizeof(Unsigned);
     return value;
   }
-  /// A number in groups of seven bits, the lowest first; all bytes but the last have their top bit
-  /// set. Throws at the end of the bytes, and above `most`.
+  /// Takes an integer that is written in groups of seven bits, the lowest first; all bytes but the
+  /// last have their top bit set. Throws `kParseError` if the bytes end, if the number is above
+  /// `most`, or if it is not written as short as possible. `what` names it.
   std::uint64_t take_varint(std::uint64_t most, std::string_view what) {
     std::uint64_t value = 0;
     for (int shift = 0; shift < 64; shift += 7) {
@@ -69,7 +77,7 @@ class ByteReader {
     }
     fail(fmt::format("{} should be a number up to {}", what, most));
   }
-  /// `To` has the size of `Unsigned`: an integer or a floating-point number.
+  /// Takes an integer or a floating-point number, which has the size of `Unsigned`.
   template <typename To, typename Unsigned>
   To take() {
     static_assert(sizeof(To) == sizeof(Unsigned));
@@ -79,6 +87,8 @@ class ByteReader {
     return value;
   }
 
+  /// Throw `kParseError` with the name of the file, a byte's place (that of the next one, or
+  /// `offset`) and the message.
   [[noreturn]] void fail(std::string_view message) const { fail_at(at_, message); }
   [[noreturn]] void fail_at(std::size_t offset, std::string_view message) const {
     throw Error(ErrorCode::kParseError, fmt::format("{}: byte {}: {}", name_, offset, message));
@@ -91,6 +101,7 @@ class ByteReader {
   std::size_t at_;
 };
 
+/// Append a number to a string, lowest byte first.
 inline void append_u8(std::string& out, std::uint8_t value) { out += static_cast<char>(value); }
 inline void append_u16(std::string& out, std::uint16_t value) {
   for (int shift = 0; shift < 16; shift += 8) out += static_cast<char>(value >> shift & 0xff);
@@ -109,6 +120,7 @@ inline void append_f64(std::string& out, double value) {
   std::memcpy(&bits, &value, sizeof bits);
   append_u64(out, bits);
 }
+/// Appends an integer as `take_varint` reads it.
 inline void append_varint(std::string& out, std::uint64_t value) {
   for (; value >= 0x80; value >>= 7) out += static_cast<char>((value & 0x7f) | 0x80);
   out += static_cast<char>(value);

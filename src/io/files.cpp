@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whole files. Apart from what uses them, for the WebAssembly build has no files.
+// Reads and writes whole files. Nothing here is used in the WebAssembly build, which has no files.
 #include "io/files.h"
 
 #include <fmt/format.h>
@@ -25,10 +25,11 @@ using File = std::unique_ptr<std::FILE, CloseFile>;
   throw Error(ErrorCode::kIoError, fmt::format("{}: {}: {}", path, what, std::strerror(error)));
 }
 
-// A file that vanishes again unless it is kept.
+// A file that is removed again unless it is kept.
 class TemporaryFile {
  public:
-  // In the folder of the target, since only there it can become the target in one step.
+  // Creates the file in the folder of the target: a file can be renamed in one step only within a
+  // folder.
   explicit TemporaryFile(const std::string& target) : target_(target) {
     for (int attempt = 0; !file_ && attempt < 1000; ++attempt) {
       path_ = fmt::format("{}.{}.part", target, attempt);
@@ -48,7 +49,7 @@ class TemporaryFile {
   void write_and_keep(std::string_view bytes) {
     errno = 0;
     const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file_.get()) == bytes.size();
-    // Closing writes what is left, and may fail as well.
+    // Closing writes what is still in memory, and may fail as well.
     if (std::fclose(file_.release()) != 0 || !written) fail(target_, "cannot be written", errno);
     std::error_code error;
     std::filesystem::rename(path_, target_, error);
@@ -68,7 +69,7 @@ std::string read_file(const std::string& path) {
   const File file(std::fopen(path.c_str(), "rb"));
   if (!file) fail(path, "cannot be opened", errno);
   std::string bytes;
-  std::error_code unknown;  // of a pipe; then the string grows as it is read
+  std::error_code unknown;  // a pipe has no size: then the string grows as it is read
   const std::uintmax_t size = std::filesystem::file_size(path, unknown);
   if (!unknown) bytes.reserve(static_cast<std::size_t>(size) + 1);
   constexpr std::size_t kBlock = std::size_t{1} << 20;

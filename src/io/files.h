@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whole files in and out.
+// Reads and writes whole files.
 #pragma once
 
 #include <string>
@@ -7,11 +7,11 @@
 
 namespace kdm {
 
-/// Throws `kIoError`.
+/// Returns the bytes of a file. Throws `kIoError` if it cannot be read.
 std::string read_file(const std::string& path);
 
-/// The file appears complete or not at all: it is written under another name beside its place.
-/// Throws `kIoError`.
+/// Writes a file, which appears complete or not at all: it is written under another name in the
+/// same folder and then renamed. Throws `kIoError` if that fails; nothing is left behind then.
 void write_file(const std::string& path, std::string_view bytes);
 
 }  // namespace kdm

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Collects the vertices and polygons a reader finds and makes a triangle mesh of them.
+// Makes a triangle mesh of the vertices and polygons that a reader finds.
 #pragma once
 
 #include <algorithm>
@@ -11,10 +11,12 @@
 
 namespace kdm {
 
-/// Polygons are cut when all vertices are known, since some files name a vertex before they
-/// define it; triangles go straight to the mesh.
+/// Collects vertices and faces. Triangles go straight to the mesh. Faces with more corners are cut
+/// into triangles at the end, when all vertices are known: some files name a vertex before they
+/// define it.
 class MeshBuilder {
  public:
+  /// Returns how many vertices were added until now.
   Index vertex_count() const { return static_cast<Index>(mesh_.positions.size()); }
 
   void reserve_vertices(std::size_t count) { mesh_.positions.reserve(count); }
@@ -25,8 +27,8 @@ class MeshBuilder {
 
   void add_vertex(const Vec3& position) { mesh_.positions.push_back(position); }
 
-  /// Adds the file's next face. Its corners must exist when `finish` is called. Faces with fewer
-  /// than three corners have no area: they are numbered and left out.
+  /// Adds the next face of the file. Its vertices must have been added when `finish` is called. A
+  /// face with fewer than three corners has no area: it gets a number, but no triangle.
   void add_face(const Index* corners, std::size_t count) {
     if (count == 3) {
       mesh_.triangles.push_back({corners[0], corners[1], corners[2]});
@@ -41,7 +43,7 @@ class MeshBuilder {
   }
   void add_face(const std::vector<Index>& corners) { add_face(corners.data(), corners.size()); }
 
-  /// The mesh; the builder is empty afterwards.
+  /// Returns the mesh. The builder cannot be used any more.
   Mesh finish() {
     Triangulator triangulator;
     for (const Polygon& polygon : polygons_) {
@@ -59,7 +61,7 @@ class MeshBuilder {
   Mesh mesh_;
   std::vector<Polygon> polygons_;
   std::vector<Index> corners_;
-  Index face_ = 0;
+  Index face_ = 0;  // the number of the next face in the file
 };
 
 }  // namespace kdm

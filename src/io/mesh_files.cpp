@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Meshes from and to files. Apart from mesh_io.cpp, for the WebAssembly build has no files.
+// Reads meshes from files and writes them. Apart from mesh_io.cpp, since the WebAssembly build has
+// no files.
 #include <fmt/format.h>
 
 #include <new>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which reader or writer serves a format; meshes from and to memory.
+// Picks the reader or writer of a format, and checks what can be written. formats.h says how
+// reading and writing go.
 #include "kdmanifold/mesh_io.h"
 
 #include <fmt/format.h>
@@ -15,7 +16,8 @@
 namespace kdm {
 namespace {
 
-// Files hold 32-bit floats, and a PLY index is a signed 32-bit integer.
+// Throws `kInvalidMesh` if the mesh cannot be written: files hold coordinates as 32-bit floats, and
+// a PLY file holds vertex numbers as signed 32-bit integers.
 void check_writable(const Mesh& mesh) {
   if (mesh.positions.size() > 0x7fffffffu ||
       std::uint64_t{mesh.triangles.size()} + 2 * std::uint64_t{mesh.quads.size()} > 0xffffffffu) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Wavefront OBJ: `v` and `f` statements; everything else is passed over. `vn` is written only.
+// Wavefront OBJ. Reads `v` and `f` statements and passes over everything else; writes `vn` as well.
 #include <fmt/compile.h>
 #include <fmt/format.h>
 
@@ -20,7 +20,7 @@ class ObjReader {
  public:
   ObjReader(std::string_view text, std::string_view name)
       : scanner_(text, name, {.comments = true, .continuations = true}) {
-    // The byte order mark that some editors put before text.
+    // Some editors put a byte order mark before the text.
     scanner_.take("\xef\xbb\xbf");
   }
 
@@ -32,7 +32,7 @@ class ObjReader {
       } else if (keyword == "f" || keyword == "fo") {
         read_face();
       } else if (static_cast<unsigned char>(keyword[0]) < ' ') {
-        // Any word may be a keyword of somebody's, but this is no text.
+        // Any word may be a keyword of some extension, but this is no text.
         scanner_.fail("a keyword is expected, not " + quoted(keyword));
       }
       // Colours behind coordinates and statements without geometry end here.
@@ -61,7 +61,7 @@ class ObjReader {
     builder_.add_face(corners_);
   }
 
-  // v, v/vt, v//vn or v/vt/vn; the vertex may be defined later in the file.
+  // Reads v, v/vt, v//vn or v/vt/vn. The vertex may be defined later in the file.
   Index read_corner() {
     const std::int64_t number = scanner_.integer_prefix("a vertex index");
     for (int part = 0; part < 2 && scanner_.peek() == '/'; ++part) {
@@ -104,11 +104,11 @@ Mesh parse_obj(std::string_view text, std::string_view name) {
 
 namespace {
 
-// Corners with normals of the same bits share one: `f` names them by their place among all.
+// Numbers the normals of corners, so that corners with equal normals share one `vn` statement.
 class Normals {
  public:
   explicit Normals(const std::vector<std::array<float, 3>>& corners) : distinct_(corners) {
-    // -0 equals 0, and which of the two would stay is the sort's business.
+    // -0 becomes 0: they are equal, so the sort would keep either of them.
     for (std::array<float, 3>& normal : distinct_) {
       for (float& value : normal) value += 0.0f;
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// OFF (Geomview's object file format) in text: colours, normals and texture coordinates of the
-// COFF, NOFF and STOFF variants are passed over.
+// OFF (Geomview's object file format), in text only. Passes over colours, normals and texture
+// coordinates of the COFF, NOFF and STOFF variants.
 #include <fmt/compile.h>
 #include <fmt/format.h>
 
@@ -29,7 +29,8 @@ class OffReader {
     const std::uint64_t vertices = read_count("the number of vertices");
     const std::uint64_t faces = read_count("the number of faces");
     scanner_.skip_line();  // the number of edges, which nobody needs
-    // What the header promises is believed only as far as the file is long: "0 0 0\n", "0\n".
+    // Memory is reserved only as far as the file is long: a vertex takes six bytes at least
+    // ("0 0 0\n"), a face two ("0\n").
     const std::uint64_t bytes = scanner_.bytes_left();
     builder_.reserve_vertices(static_cast<std::size_t>(std::min(vertices, bytes / 6 + 1)));
     builder_.reserve_faces(static_cast<std::size_t>(std::min(faces, bytes / 2 + 1)));
@@ -39,7 +40,8 @@ class OffReader {
   }
 
  private:
-  // [ST][C][N][4][n]OFF; some files have the counts glued to it, and it may even be missing.
+  // Reads [ST][C][N][4][n]OFF. In some files the counts follow without a blank, and in some the
+  // keyword is missing.
   void read_keyword() {
     const char first = scanner_.peek();
     if (first >= '0' && first <= '9' && first != '4') return;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// PLY (Stanford polygon format): ASCII and binary of either byte order, polygons and triangle
-// strips; other elements and properties are passed over.
+// PLY (Stanford polygon format). Reads ASCII and binary files of either byte order, with polygons
+// or triangle strips, and passes over other elements and properties. Writes binary files.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -19,8 +19,8 @@ namespace {
 
 constexpr const char* kAxisNames[] = {"x", "y", "z"};
 
-// Where values come from: text or bytes. Both have the same functions, and `PlyReader` is
-// compiled for each.
+// TextValues and BinaryValues take the values behind the header one by one, from text or from
+// bytes. They have the same functions, and `PlyReader` is compiled for each.
 class TextValues {
  public:
   TextValues(std::string_view bytes, std::string_view name, const PlyHeader& header)
@@ -40,7 +40,7 @@ class TextValues {
     find("a property");
     scanner_.word();
   }
-  // A value and the blank behind it.
+  // Throws if so many values cannot follow: each takes a byte at least.
   void require(std::uint64_t count, PlyType, const char* what) {
     if (count > scanner_.bytes_left()) scanner_.fail_expected(fmt::format("{} {}", count, what));
   }
@@ -81,14 +81,15 @@ class BinaryValues {
   void require(std::uint64_t count, PlyType type, const char* what) {
     reader_.require(count, ply_type_bytes(type), what);
   }
-  // All at once where records have one length; false where they have not.
+  // Skips all records of an element at once. Returns false, and skips nothing, if they may differ
+  // in length.
   bool skip_records(const PlyElement& element) {
     if (element.has_list()) return false;
     reader_.require(element.count, element.record_bytes(), "record of " + quoted(element.name));
     reader_.skip(static_cast<std::size_t>(element.count) * element.record_bytes());
     return true;
   }
-  // Messages point at the value that was read last.
+  // Throws with the place of the value that was taken last.
   [[noreturn]] void fail(std::string_view message) const { reader_.fail_at(value_at_, message); }
 
  private:
@@ -159,7 +160,8 @@ class PlyReader {
       }
       axis_of[i] = axis;
     }
-    // Every coordinate takes a byte at least, so this cannot ask for more than the file is worth.
+    // Every coordinate takes a byte at least, so memory is reserved only as far as the file is
+    // long.
     values_.require(element.count, PlyType::kUint8, "vertices");
     builder_.reserve_vertices(static_cast<std::size_t>(element.count));
     for (std::uint64_t i = 0; i < element.count; ++i) {
@@ -218,8 +220,9 @@ class PlyReader {
     }
   }
 
-  // Each corner makes a triangle with the two before it, turned over every other time. A repeated
-  // corner is how strips change direction.
+  // Adds the triangles of a strip: each corner makes one with the two corners before it, turned
+  // over every other time. Strips repeat a corner to change their direction; that makes no
+  // triangle.
   void add_strip() {
     std::size_t start = 0;
     for (std::size_t i = 0; i < corners_.size(); ++i) {

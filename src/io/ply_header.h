@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The header of a PLY file: which elements follow, and how each is laid out.
+// Reads the header of a PLY file, which says what follows: elements, such as vertices and faces,
+// each of which is a number of records with the same properties.
 #pragma once
 
 #include <cstdint>
@@ -9,35 +10,42 @@
 
 namespace kdm {
 
+/// How the data behind the header are written.
 enum class PlyFormat { kAscii, kLittleEndian, kBigEndian };
+/// The types that a value can have.
 enum class PlyType { kInt8, kUint8, kInt16, kUint16, kInt32, kUint32, kFloat32, kFloat64 };
 
+/// A value, or a list of values, of each record of an element.
 struct PlyProperty {
   std::string name;
-  PlyType type;  ///< of the value, or of a list's items
+  PlyType type;  ///< type of the value, or of the items of the list
   bool is_list = false;
-  PlyType count_type = PlyType::kUint8;  ///< of a list's length
+  PlyType count_type = PlyType::kUint8;  ///< type of the list's length
 };
 
+/// A kind of record, and how many there are.
 struct PlyElement {
   std::string name;
   std::uint64_t count = 0;
   std::size_t line = 0;  ///< where the header declares it, for messages
   std::vector<PlyProperty> properties;
 
-  /// The position of a property, or `properties.size()`.
+  /// Returns the place of the property with this name, or `properties.size()` if there is none.
   std::size_t find(std::string_view property) const;
+  /// Tells whether a property is a list, so that records differ in length.
   bool has_list() const;
-  /// Bytes of one record in a binary file; only without lists.
+  /// Returns how many bytes a record has in a binary file. No property may be a list.
   std::size_t record_bytes() const;
 };
 
+/// What a header says.
 struct PlyHeader {
   PlyFormat format = PlyFormat::kAscii;
-  std::vector<PlyElement> elements;
-  std::size_t bytes = 0;  ///< where the data begin
+  std::vector<PlyElement> elements;  ///< in the order of the file
+  std::size_t bytes = 0;             ///< where the data begin
 };
 
+/// Returns how many bytes a value of a type has in a binary file.
 constexpr std::size_t ply_type_bytes(PlyType type) {
   switch (type) {
     case PlyType::kInt8:
@@ -56,7 +64,8 @@ constexpr std::size_t ply_type_bytes(PlyType type) {
   return 0;
 }
 
-/// Throws `kParseError` with the line.
+/// Reads the header at the beginning of a file, which messages call `name`. Throws `kParseError`
+/// with the line at fault.
 PlyHeader parse_ply_header(std::string_view bytes, std::string_view name);
 
 }  // namespace kdm

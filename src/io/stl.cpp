@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// STL: binary (80 bytes of anything, a count, 50 bytes a facet) and ASCII. Vertices are not
-// shared in this format; joining them is left to whoever needs it.
-#include <Eigen/Geometry>
+// STL: binary (80 bytes of anything, a count, 50 bytes a facet) and ASCII. Facets share no vertices
+// in this format, and none are joined here.
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/triangle.h"
 #include "io/bytes.h"
 #include "io/formats.h"
 #include "io/mesh_builder.h"
@@ -24,8 +24,8 @@ bool same_word(std::string_view word, std::string_view lower_case) {
          });
 }
 
-// Binary files may begin with "solid" too: the size that their count asks for decides, then
-// whether the beginning is text.
+// Tells whether a file is ASCII. Binary files may begin with "solid" too; so a file that is as long
+// as its count of facets asks for is binary, and so is one whose beginning is no text.
 bool is_ascii(std::string_view bytes, std::string_view name) {
   if (bytes.size() >= kHeaderBytes) {
     ByteReader reader(bytes, name, ByteOrder::kLittle, kHeaderBytes - 4);
@@ -93,7 +93,7 @@ class AsciiStlReader {
   void read_facet() {
     expect("facet");
     expect("normal");
-    // Some writers put "nan" here; the corners' order says it all.
+    // Some writers put "nan" here. The normal follows from the order of the corners anyway.
     for (int i = 0; i < 3; ++i) scanner_.word();
     expect("outer");
     expect("loop");
@@ -132,19 +132,17 @@ class AsciiStlReader {
   std::vector<Index> corners_;
 };
 
-// The normal is computed from the positions as the file holds them, so that it does not matter
-// whether they come in 32 or in 64 bits.
+// Appends a facet. Its normal is computed from the rounded positions that the file holds, so that
+// the same bytes come out for positions of 32 and of 64 bits.
 void append_facet(std::string& out, const Mesh& mesh, const Triangle& t) {
   Vec3 corners[3];
   for (std::size_t i = 0; i < 3; ++i) {
     corners[i] = mesh.positions[t[i]].cast<float>().cast<double>();
   }
-  const Vec3 a = corners[1] - corners[0];
-  const Vec3 b = corners[2] - corners[0];
-  Vec3 normal = a.cross(b);
+  Vec3 normal = doubled_area_vector(corners[0], corners[1], corners[2]);
   const double length =
       std::sqrt(normal.x() * normal.x() + normal.y() * normal.y() + normal.z() * normal.z());
-  // The format's own word for "find it yourself" is zero.
+  // In this format, a normal of zero asks the reader to compute it.
   if (length > 0) normal /= length;
   for (const Vec3& v : {normal, corners[0], corners[1], corners[2]}) {
     for (int axis = 0; axis < 3; ++axis) append_f32(out, static_cast<float>(v[axis]));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A position in text, as 32-bit numbers.
+// Writes positions to text.
 #pragma once
 
 #include <fmt/compile.h>
@@ -11,7 +11,9 @@
 
 namespace kdm {
 
-/// Ends the line.
+/// Appends the coordinates of a point, rounded to 32-bit floats, and the end of the line. With
+/// `Digits::kShortest` each has as few digits as tell it from all other floats, else as few as tell
+/// it from all other doubles.
 inline void append_position(const Vec3& p, Digits digits, std::string& text) {
   const Eigen::Vector3f single = p.cast<float>();
   const auto append = [&](const auto& v) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers and messages of the text scanner.
+// Takes numbers, and words messages.
 #include "io/text_scanner.h"
 
 #include <fast_float/fast_float.h>
@@ -19,14 +19,15 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 double TextScanner::number(const char* what) {
   skip_blanks();
   const char* first = at_;
-  // from_chars takes no plus sign; behind one, no second sign may follow.
+  // from_chars takes no plus sign, so it is skipped. No second sign may follow it.
   if (!at_end() && *first == '+') {
     ++first;
     if (first == end_ || !(is_digit(*first) || *first == '.')) fail_expected(what);
   }
   double value = 0;
   const fast_float::from_chars_result result = fast_float::from_chars(first, end_, value);
-  // Out of range gives infinity (refused below) or zero (as near as doubles come).
+  // A number out of range gives infinity, which is refused below, or zero, which is the nearest
+  // double.
   if (result.ec == std::errc::invalid_argument || result.ptr == first) fail_expected(what);
   const char* word = at_;
   at_ = result.ptr;
@@ -48,7 +49,7 @@ std::int64_t TextScanner::integer_prefix(const char* what) {
   if (!at_end() && (*digit == '-' || *digit == '+')) ++digit;
   const char* first = digit;
   std::int64_t value = 0;
-  // 18 digits fit, whatever they are; no count or index is longer.
+  // Any 18 digits fit into 64 bits, and no count or index is longer.
   while (digit != end_ && is_digit(*digit) && digit - first < 18) {
     value = value * 10 + (*digit++ - '0');
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reads words and numbers from text and knows the line it is on. Numbers are read the same way
-// whatever the locale (fast_float); CR, LF and CR LF all end a line.
+// Takes words and numbers from text, and knows the line that it is on. Numbers are read in the same
+// way whatever the locale is (by fast_float). CR, LF and CR LF all end a line.
 #pragma once
 
 #include <cstddef>
@@ -16,9 +16,10 @@ struct TextSyntax {
   bool continuations = false;  ///< a backslash before the line end joins the next line
 };
 
+/// Moves through a text word by word. A copy is a place in the text to which one can go back.
 class TextScanner {
  public:
-  /// Both views must outlive the scanner. `name` is what messages call the text.
+  /// `name` is what messages call the text. Both views must outlive the scanner.
   TextScanner(std::string_view text, std::string_view name, TextSyntax syntax = {})
       : begin_(text.data()),
         at_(text.data()),
@@ -31,7 +32,8 @@ class TextScanner {
   std::size_t bytes_left() const { return static_cast<std::size_t>(end_ - at_); }
   std::size_t line() const { return line_; }
 
-  /// Skips blanks within the line; true if nothing but the line end (or a comment) follows.
+  /// Skips blanks within the line, and tells whether nothing else follows but the line's end or a
+  /// comment.
   bool at_line_end() {
     skip_blanks();
     return at_end() || is_newline(*at_) || (syntax_.comments && *at_ == '#');
@@ -43,7 +45,7 @@ class TextScanner {
     skip_newline();
   }
 
-  /// Goes to the next word, over lines and comments; false if there is none.
+  /// Goes to the next word, over line ends and comments. Returns false if there is none.
   bool find_word() {
     while (at_line_end()) {
       if (at_end()) return false;
@@ -52,7 +54,7 @@ class TextScanner {
     return true;
   }
 
-  /// The next word of this line, empty at its end.
+  /// Takes the next word of this line. Returns an empty one at the line's end.
   std::string_view word() {
     if (at_line_end()) return {};
     const char* first = at_;
@@ -60,27 +62,29 @@ class TextScanner {
     return {first, static_cast<std::size_t>(at_ - first)};
   }
 
-  /// The next character if the word goes on, else 0.
+  /// Returns the next character if the word goes on, else 0.
   char peek() const { return at_delimiter() ? '\0' : *at_; }
   void skip_char() { ++at_; }
-  /// Takes `prefix` if the text goes on with it.
+  /// Takes `prefix` if the text goes on with it, and tells whether it did.
   bool take(std::string_view prefix) {
     if (std::string_view(at_, bytes_left()).substr(0, prefix.size()) != prefix) return false;
     at_ += prefix.size();
     return true;
   }
 
-  /// The next word of this line as a finite number; `what` names it in messages.
+  /// Takes the next word of this line as a finite number; `what` names it in messages. Throws
+  /// `kParseError` if it is none.
   double number(const char* what);
-  /// The next word of this line as an integer.
+  /// Takes the next word of this line as an integer, likewise.
   std::int64_t integer(const char* what);
-  /// An integer at the next word's start; the word may go on behind it.
+  /// Takes an integer at the beginning of the next word, which may go on behind it.
   std::int64_t integer_prefix(const char* what);
 
-  /// Throws `kParseError`: name, line, message.
+  /// Throw `kParseError` with the name of the text, a line (the current one, or `line`) and the
+  /// message.
   [[noreturn]] void fail(std::string_view message) const { fail_at(line_, message); }
   [[noreturn]] void fail_at(std::size_t line, std::string_view message) const;
-  /// Throws `kParseError`: what is expected here, and what is there instead.
+  /// Throws `kParseError`, saying what is expected here and what is there instead.
   [[noreturn]] void fail_expected(std::string_view what) const;
 
  private:
@@ -116,7 +120,8 @@ class TextScanner {
   std::size_t line_ = 1;
 };
 
-/// Bytes of a file as they can stand in a one-line message: printable, not too long, in quotes.
+/// Returns bytes of a file in quotes, as they can stand in a message of one line: printable, and
+/// not more than 32.
 std::string quoted(std::string_view bytes);
 
 }  // namespace kdm

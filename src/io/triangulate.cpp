@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Ear clipping after G. Meisters, "Polygons have ears" (1975), made fit for collinear and
-// coincident corners: a corner that touches an ear counts as inside it, unless it coincides with
-// one of the ear's corners and its own edges stay outside.
+// Ear clipping after G. Meisters, "Polygons have ears" (1975), extended to collinear and coincident
+// corners: a corner that touches an ear counts as inside it, unless it coincides with one of the
+// ear's corners and its own edges stay outside.
 #include "io/triangulate.h"
 
 #include <Eigen/Geometry>
@@ -12,9 +12,10 @@
 namespace kdm {
 namespace {
 
-// Measured a corner: a circle 15, a comb of 20,000 teeth 3,100, a spiral of 40,000 corners 8,400.
-// Without a limit, outlines that cut themselves everywhere would take time cubic in their corners.
-constexpr std::size_t kMostEffort = 20000;
+// Limits the corners and buckets that are looked at, for each corner of a polygon. Without a limit,
+// outlines that cut themselves everywhere would take time cubic in their corners. Measured per
+// corner: a circle 15, a comb of 20,000 teeth 3,100, a spiral of 40,000 corners 8,400.
+constexpr std::size_t kMostEffortPerCorner = 20000;
 
 }  // namespace
 
@@ -41,7 +42,7 @@ void Triangulator::project(const std::vector<Vec3>& positions, const Index* corn
   }
 }
 
-// Twice the signed area; positive if a, b, c turn left.
+// Returns twice the signed area of (a, b, c): positive if they turn left.
 double Triangulator::cross(Index a, Index b, Index c) const {
   const Point& p = points_[a];
   const Point& q = points_[b];
@@ -49,8 +50,9 @@ double Triangulator::cross(Index a, Index b, Index c) const {
   return (q.u - p.u) * (r.v - p.v) - (q.v - p.v) * (r.u - p.u);
 }
 
-// Does one of the edges of `other`, which lies on `corner`, run into the angle between the
-// directions from `corner` to `from` and to `to` (counter-clockwise, less than half a turn)?
+// Tells whether one of the edges of `other`, which coincides with `corner`, runs into the angle
+// between the directions from `corner` to `from` and to `to` (counter-clockwise, less than half a
+// turn).
 bool Triangulator::enters(Index other, Index corner, Index from, Index to) const {
   for (Index end : {previous_[other], next_[other]}) {
     if (cross(corner, from, end) > 0 && cross(corner, end, to) > 0) return true;
@@ -58,6 +60,7 @@ bool Triangulator::enters(Index other, Index corner, Index from, Index to) const
   return false;
 }
 
+// Tells whether the corner `other` is in the way of the ear (a, b, c).
 bool Triangulator::blocks(Index other, Index a, Index b, Index c, bool touching_allowed) const {
   const double ab = cross(a, b, other);
   const double bc = cross(b, c, other);
@@ -82,7 +85,8 @@ std::size_t Triangulator::row(double v) const {
   return std::min(side_ - 1, static_cast<std::size_t>((v - low_.v) * v_scale_));
 }
 
-// Clean ears make no corner less convex, so corners found convex here need not be looked at again.
+// Puts the corners that are not convex into buckets. Corners that are convex now need not be looked
+// at again: clipping clean ears makes no corner less convex.
 void Triangulator::fill_buckets() {
   left_when_filled_ = left_;
   effort_ += next_.size();
@@ -139,7 +143,7 @@ bool Triangulator::is_ear(Index tip, bool touching_allowed) {
   return true;
 }
 
-// The outline comes to the tip and goes back the way it came, or does not move at all.
+// Tells whether the outline goes back at the tip the way it came, or does not move there at all.
 bool Triangulator::is_spike(Index tip) const {
   const Point& a = points_[previous_[tip]];
   const Point& b = points_[tip];
@@ -156,13 +160,14 @@ void Triangulator::clip(Index tip) {
   --left_;
 }
 
-// From `first` on, until `enough` corners in a row are none.
+// Clips spikes from `first` on, until `enough` corners in a row are none. Tells whether one was
+// found.
 bool Triangulator::clip_spikes(Index first, std::size_t enough) {
   bool found = false;
   Index tip = first;
   for (std::size_t in_a_row = 0; in_a_row < enough && left_ > 3;) {
     if (is_spike(tip)) {
-      const Index before = previous_[tip];  // may have become one
+      const Index before = previous_[tip];  // may have become a spike
       clip(tip);
       tip = before;
       in_a_row = 0;
@@ -179,7 +184,7 @@ void Triangulator::cut(const std::vector<Vec3>& positions, const Index* corners,
                        Triangle* out) {
   project(positions, corners, count);
   if (count == 4 && cross(0, 1, 2) > 0 && cross(1, 2, 3) > 0 && cross(2, 3, 0) > 0 &&
-      cross(3, 0, 1) > 0) {  // the usual case
+      cross(3, 0, 1) > 0) {  // a convex quad, the usual case
     out[0] = {corners[0], corners[1], corners[2]};
     out[1] = {corners[0], corners[2], corners[3]};
     return;
@@ -194,28 +199,29 @@ void Triangulator::cut(const std::vector<Vec3>& positions, const Index* corners,
     previous_[i] = i == 0 ? static_cast<Index>(count - 1) : i - 1;
   }
   effort_ = 0;
-  // Spikes go first, for what looks like an ear at the foot of one lies outside.
+  // Spikes go first: what looks like an ear at the foot of a spike lies outside the polygon.
   clip_spikes(0, count);
   fill_buckets();
 
-  // From the cleanest rule to "anything goes", which only polygons that cut themselves need.
+  // When no corner is an ear by one rule, the next one is tried. Only polygons that cut themselves
+  // need the last one, by which any corner is clipped.
   enum Rule { kCleanEar, kTouchedEar, kAnything };
   int rule = kCleanEar;
   std::size_t refused = 0;
   Index tip = 1;
   while (next_[tip] == kNone) tip = tip == 0 ? static_cast<Index>(count - 1) : tip - 1;
   while (left_ > 3) {
-    const bool tired = effort_ > kMostEffort * count;
+    const bool tired = effort_ > kMostEffortPerCorner * count;
     if (tired) rule = kAnything;
     if (rule == kAnything || is_ear(tip, rule == kTouchedEar)) {
       const Index before = previous_[tip];
       clip(tip);
-      // Spikes and anything may leave corners less convex than they were.
+      // Clipping spikes, or any corner, may leave corners less convex than they were.
       const bool changed = clip_spikes(before, 2) || rule == kAnything;
       if (left_ * 2 < left_when_filled_ || (changed && !tired)) fill_buckets();
       rule = kCleanEar;
       refused = 0;
-      // Not the neighbour: every other corner first, which gives rounder triangles than a fan.
+      // Go on with the corner after the next one: that gives rounder triangles than a fan.
       tip = before;
       while (next_[tip] == kNone) tip = previous_[tip];
       tip = next_[next_[tip]];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Cuts a polygon in space into triangles by ear clipping, concave ones properly.
+// Cuts polygons in space into triangles, by ear clipping.
 #pragma once
 
 #include <cstddef>
@@ -9,15 +9,18 @@
 
 namespace kdm {
 
-/// Keeps its working arrays between calls. The polygon is seen along the axis its Newell normal
-/// is nearest to; polygons with holes cut open by a bridge, repeated and collinear corners are
-/// welcome. About linear in the corners for usual polygons; the effort is bounded by a multiple of
-/// the corners, and what is left then is cut anyhow.
+/// Cuts polygons, convex or not. A polygon is seen along the axis that is nearest to its Newell
+/// normal. It may repeat corners, have several on one line, and have holes if these are joined to
+/// its outline by a bridge that is passed twice. Usual polygons take time about linear in their
+/// corners. The effort is limited to a multiple of the corners; if that is not enough, the rest of
+/// the polygon is cut without regard for its outline. Working arrays are kept between calls.
 class Triangulator {
  public:
-  /// Writes count - 2 triangles over the polygon's own corners, oriented like the polygon; its
-  /// edges are among theirs, so neighbours stay joined. A polygon without area or one that cuts
-  /// itself gets as many (then some of them are degenerate or overlap). `count` >= 3.
+  /// Cuts the polygon whose `count` corners (3 at least) have the positions
+  /// `positions[corners[i]]`. Writes count - 2 triangles over these corners to `out`, oriented like
+  /// the polygon. The polygon's edges are among the triangles' edges, so neighbours stay joined. A
+  /// polygon without area, or one that cuts itself, gets as many triangles, some of which have no
+  /// area or overlap.
   void cut(const std::vector<Vec3>& positions, const Index* corners, std::size_t count,
            Triangle* out);
 
@@ -44,9 +47,10 @@ class Triangulator {
   std::vector<Point> points_;
   std::vector<Index> next_, previous_;  // the ring of corners that are left; kNone: removed
   std::size_t left_ = 0;
-  std::size_t effort_ = 0;  // corners and buckets looked at
-  // Corners that are not convex, the only ones that can be in the way of an ear, in a square of
-  // side_ * side_ buckets over the polygon: bucket i is [bucket_start_[i], bucket_start_[i + 1]).
+  std::size_t effort_ = 0;  // how many corners and buckets were looked at
+  // Corners that are not convex, the only ones that can be in the way of an ear, are kept in
+  // buckets: side_ rows of side_ buckets cover the polygon. Bucket i holds the corners from place
+  // bucket_start_[i] to before bucket_start_[i + 1] of bucket_corners_.
   std::vector<Index> bucket_start_, bucket_corners_;
   std::size_t side_ = 1;
   std::size_t left_when_filled_ = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Joining vertices of exactly equal position: one open-addressing table.
+// Finds vertices of equal position by an open-addressing hash table.
 #include "prepare/weld.h"
 
 #include <cstring>

@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: MIT
-// Joining vertices of exactly equal position.
+// Welds vertices of exactly equal position.
 #pragma once
 
 #include <vector>
 
-#include "kdmanifold/mesh.h"
+#include "mesh/numbers.h"
 
 namespace kdm {
 
-/// For every position the number of its distinct point, in order of first use.
+/// Which vertices have the same position and so become one point. Points are numbered in the order
+/// of their first vertices.
 struct Weld {
-  std::vector<Index> point_of;  ///< one a position
-  std::vector<Index> first_of;  ///< one a point: the first position that has it
+  std::vector<PointId> point_of;  ///< per vertex: its point
+  std::vector<Index> first_of;    ///< per point: its first vertex
 };
 
-/// Equal means equal coordinates (0 and -0 are). Linear time.
+/// Finds vertices of equal position. Positions are equal if their coordinates are (0 equals -0).
+/// Takes linear time.
 Weld weld_positions(const std::vector<Vec3>& positions);
 
 }  // namespace kdm

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The slow, plain truth about the predicates: every coordinate is a polynomial in the infinitesimal
-// e with 128-bit coefficients, determinants are expanded term by term, and a sign is the sign of
-// the first coefficient that is not zero. Shares nothing with src/geometry/predicates.h.
+// An oracle for the predicates, slow and plain: every coordinate is a polynomial in the
+// infinitesimal e with 128-bit coefficients, determinants are expanded term by term, and the sign
+// of a number is that of its first coefficient that is not zero. It shares nothing with
+// src/geometry/predicates.h.
 #pragma once
 
 #include <array>
@@ -9,8 +10,8 @@
 
 namespace kdm::oracle {
 
-/// c[0] + c[1] e + c[2] e^2 + ...; products of three coordinates have degree at most nine. With
-/// coordinates below 2^22 no coefficient exceeds 2^80.
+/// The number c[0] + c[1] e + c[2] e^2 + ... Products of three coordinates have a degree of nine at
+/// most. If coordinates are below 2^22, no coefficient exceeds 2^80.
 struct Polynomial {
   static constexpr std::size_t kTerms = 10;
   std::array<__int128, kTerms> c{};
@@ -42,7 +43,7 @@ struct Polynomial {
     return product;
   }
 
-  /// Sign for e positive and as small as it takes.
+  /// Returns the sign of the number for every e that is positive and small enough.
   int sign() const {
     for (const __int128 coefficient : c) {
       if (coefficient != 0) return coefficient > 0 ? 1 : -1;
@@ -55,14 +56,14 @@ using Point = std::array<Polynomial, 3>;
 
 inline Point mesh_vertex(const std::array<std::int32_t, 3>& p) { return {p[0], p[1], p[2]}; }
 
-/// Grid points are shifted by (e, e^2, e^3).
+/// Returns a grid point, which is shifted by (e, e^2, e^3).
 inline Point grid_point(const std::array<std::int64_t, 3>& p) {
   return {Polynomial(p[0]) + Polynomial::e_to(1), Polynomial(p[1]) + Polynomial::e_to(2),
           Polynomial(p[2]) + Polynomial::e_to(3)};
 }
 
-/// Sign of det(b - a, c - a, d - a): positive if d lies on the side to which the normal of the
-/// counter-clockwise triangle (a, b, c) points.
+/// Returns the sign of det(b - a, c - a, d - a): positive if d lies on the side to which the normal
+/// of the counter-clockwise triangle (a, b, c) points.
 inline int orientation(const Point& a, const Point& b, const Point& c, const Point& d) {
   std::array<Point, 3> row;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -95,7 +96,8 @@ struct GridLine {
   }
 };
 
-/// 0 if the line misses the triangle, else the sign of the triangle's normal along the line.
+/// Returns 0 if the line misses the triangle, else the sign of the triangle's normal along the
+/// line.
 inline int line_crosses(const std::array<std::array<std::int32_t, 3>, 3>& triangle,
                         const GridLine& line) {
   const Point low = grid_point(line.low);
@@ -112,8 +114,8 @@ inline int line_crosses(const std::array<std::array<std::int32_t, 3>, 3>& triang
   return above != 0 && above == -orientation(t[0], t[1], t[2], low) ? above : 0;
 }
 
-/// Is the crossing of the line with the triangle below the line's grid point at `plane`? For a
-/// triangle whose normal's sign along the line is `sign`.
+/// Tells whether the line crosses the triangle below the line's grid point at `plane`. `sign` must
+/// be the sign of the triangle's normal along the line.
 inline bool crossing_below(const std::array<std::array<std::int32_t, 3>, 3>& triangle,
                            const GridLine& line, int sign, std::int64_t plane) {
   return orientation(mesh_vertex(triangle[0]), mesh_vertex(triangle[1]), mesh_vertex(triangle[2]),

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Closed curves on a box.
+// Traces the curves through small triangles on the sides of the box.
 #include "support/contours.h"
 
 #include <map>
 
+#include "mesh/marks.h"
 #include "support/random.h"
 
 namespace kdm::check {
@@ -29,14 +30,11 @@ class Tracing {
         }
       }
     }
-    std::vector<char> seen(next_.size(), 0);
+    Marks seen(next_.size());
     for (Index start = 0; start < next_.size(); ++start) {
-      if (seen[start] != 0) continue;
+      if (seen.test(start)) continue;
       Curve curve;
-      for (Index p = start; seen[p] == 0; p = next_[p]) {
-        seen[p] = 1;
-        curve.push_back(p);
-      }
+      for (Index p = start; !seen.test_and_set(p); p = next_[p]) curve.push_back(p);
       contours_.curves.push_back(curve);
     }
     return contours_;
@@ -57,7 +55,8 @@ class Tracing {
     return entry->second;
   }
 
-  // The triangle is counter-clockwise seen from outside on high sides.
+  // Adds the piece of a curve that crosses a triangle. On high sides of the box, the triangle must
+  // be counter-clockwise seen from outside, on low sides clockwise.
   void cross(int side, const Place& a, Place b, Place c) {
     if (side < 3) std::swap(b, c);
     const std::array<Place, 3> corners = {a, b, c};
@@ -96,7 +95,7 @@ class Tracing {
   Contours contours_;
   std::map<Place, bool> signs_;
   std::map<std::pair<Place, Place>, Index> numbers_;
-  std::vector<Index> next_;  // per point
+  std::vector<Index> next_;  // per point: the next one on its curve
 };
 
 }  // namespace

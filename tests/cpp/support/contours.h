@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Closed curves on a box.
+// Random closed curves on the surface of a box.
 #pragma once
 
 #include <cstdint>
@@ -8,6 +8,7 @@
 
 namespace kdm::check {
 
+/// A box, points on its surface, and closed curves through them.
 struct Contours {
   Vec3 lo;
   Vec3 hi;
@@ -15,8 +16,9 @@ struct Contours {
   std::vector<Curve> curves;
 };
 
-/// Where random signs at points of the box's surface change: simple curves that keep apart, side by
-/// side and within each other. The box's edges are of `size` steps, one point each.
+/// Gives random signs to points on a box's surface, `size` steps to an edge, and returns the curves
+/// along which the signs change. They do not meet themselves or each other, and lie side by side
+/// and within each other.
 Contours random_contours(int size, std::uint32_t seed);
 
 }  // namespace kdm::check

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether a half-edge structure is one.
+// Checks that a dual mesh is a sound half-edge structure.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -10,8 +10,9 @@
 
 namespace kdm::check {
 
-/// Links are mutual, run against each other, and each vertex is one ring, or one chain from
-/// boundary to boundary, but for those that are dropped.
+/// Expects links to be mutual and to run against each other, and the half-edges at each vertex to
+/// be one ring, or one chain from boundary to boundary. Dropped triangles and vertices are left
+/// out.
 inline void expect_sound(const DualMesh& mesh) {
   ASSERT_EQ(mesh.vertex.size(), 3u * mesh.triangles());
   ASSERT_EQ(mesh.opposite.size(), mesh.vertex.size());

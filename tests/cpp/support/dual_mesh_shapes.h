@@ -11,8 +11,8 @@
 
 namespace kdm::shapes {
 
-/// Triangles whose corners are leaves (one vertex a leaf), linked as told: half-edge 3t+i runs
-/// from corner i of triangle t. Corner numbers must be used from 0 on.
+/// Makes a dual mesh of triangles whose corners are leaves (one vertex a leaf), linked as told:
+/// half-edge 3t + i runs from corner i of triangle t. All corner numbers from 0 on must be used.
 inline DualMesh dual_mesh(const std::vector<Triangle>& triangles,
                           const std::vector<std::pair<Index, Index>>& links) {
   DualMesh mesh;
@@ -35,7 +35,8 @@ inline DualMesh dual_mesh(const std::vector<Triangle>& triangles,
   return mesh;
 }
 
-/// Links each half-edge to the one that runs against it; no edge may be doubled.
+/// Makes a dual mesh in which each half-edge is linked to the one that runs against it. No edge may
+/// have more than two triangles.
 inline DualMesh dual_mesh(const std::vector<Triangle>& triangles) {
   std::vector<std::pair<Index, Index>> links;
   for (Index a = 0; a < 3 * triangles.size(); ++a) {
@@ -48,8 +49,8 @@ inline DualMesh dual_mesh(const std::vector<Triangle>& triangles) {
   return dual_mesh(triangles, links);
 }
 
-/// A sphere of `disks` parts round two poles 0 and 1, which are joined by as many edges: each part
-/// lies between two of these edges and has a vertex of its own in the middle.
+/// Makes a sphere of `disks` parts round the poles 0 and 1, which are joined by as many edges. Each
+/// part lies between two of these edges and has a vertex of its own in the middle.
 inline DualMesh beach_ball(Index disks) {
   std::vector<Triangle> triangles;
   std::vector<std::pair<Index, Index>> links;
@@ -65,7 +66,7 @@ inline DualMesh beach_ball(Index disks) {
   return dual_mesh(triangles, links);
 }
 
-/// A torus of n vertices: the plane's triangulation by (1, 0), (0, 1), (1, 1) where (i, j) is
+/// Makes a torus of n vertices: the plane's triangulation by (1, 0), (0, 1), (1, 1) where (i, j) is
 /// vertex p i + q j modulo n. No multiple of n may be among p, q, p + q.
 inline DualMesh tight_torus(Index n, Index p, Index q) {
   std::vector<Triangle> triangles;
@@ -83,7 +84,7 @@ inline DualMesh tight_torus(Index n, Index p, Index q) {
   return dual_mesh(triangles, links);
 }
 
-/// The index mesh that vertex numbers make of it; positions as they are.
+/// Returns the dual mesh as an index mesh.
 inline Mesh index_mesh(const DualMesh& dual) {
   Mesh mesh;
   mesh.positions = dual.position;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether two grids are the same, and give the same.
+// Compares grids, and the meshes that are extracted from them.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -11,6 +11,7 @@
 
 namespace kdm::check {
 
+/// Expects two grids to be equal in all their data.
 inline void expect_same(const Grid& a, const Grid& b) {
   const GridData& x = a.data();
   const GridData& y = b.data();
@@ -66,6 +67,7 @@ inline void expect_same(const Grid& a, const Grid& b) {
   EXPECT_EQ(x.input.lattice_step, y.input.lattice_step);
 }
 
+/// Expects equal meshes to be extracted from two grids.
 inline void expect_same_surface(const Grid& a, const Grid& b) {
   for (const bool quads : {false, true}) {
     const ExtractedMesh x = extract(a, {.quads = quads, .normals = true});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the tests of readers and writers share.
+// Helpers for tests of readers and writers.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 
 namespace kdm::io_test {
 
-/// The message of the `kParseError` that these bytes provoke; a failure if they do not.
+/// Returns the message of the `kParseError` that these bytes must provoke.
 inline std::string parse_fault(std::string_view bytes, MeshFormat format) {
   try {
     parse_mesh(bytes, format, "in");
@@ -28,7 +28,7 @@ inline std::string parse_fault(std::string_view bytes, MeshFormat format) {
   return "";
 }
 
-/// Reads every beginning of a file: each must be refused with a line or byte, or give a mesh whose
+/// Reads every beginning of a file. Each must be refused with a `kParseError`, or give a mesh whose
 /// indices are in range. Returns how many were refused.
 inline std::size_t refused_beginnings(std::string_view bytes, MeshFormat format) {
   std::size_t refused = 0;
@@ -45,7 +45,8 @@ inline std::size_t refused_beginnings(std::string_view bytes, MeshFormat format)
   return refused;
 }
 
-/// Changes every byte to some other values: no crash, and errors only of the expected kind.
+/// Reads a file with every byte changed to several others. Each must be refused with a
+/// `kParseError`, or give a mesh whose indices are in range.
 inline void try_changed_bytes(std::string_view bytes, MeshFormat format) {
   for (std::size_t i = 0; i < bytes.size(); ++i) {
     for (const char value : std::string_view("\0\n -/9\\\xff", 8)) {
@@ -60,7 +61,8 @@ inline void try_changed_bytes(std::string_view bytes, MeshFormat format) {
   }
 }
 
-/// Four triangles and a quad; fractions, a negative number, an exponent.
+/// Returns a pyramid of four triangles and a quad. Among its coordinates are fractions, a negative
+/// number and one that is written with an exponent.
 inline Mesh pyramid() {
   return {{{0, 0, 0}, {1, 0, 0}, {1, 1.5, 0}, {0, 1.5, 0}, {0.25, 0.1, -1e-7}},
           {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}},

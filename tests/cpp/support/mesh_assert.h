@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The judge's verdict as a GoogleTest assertion; apart from mesh_check.h, which the benchmark and
-// the fuzzers use without GoogleTest.
+// The judge's verdict as a GoogleTest assertion. It stands apart from mesh_check.h, which the
+// benchmark and the fuzzers use without GoogleTest.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -9,7 +9,8 @@
 
 namespace kdm::check {
 
-/// EXPECT_TRUE(is_two_manifold(mesh)): closed, oriented, strictly 2-manifold as an index mesh.
+/// Use as EXPECT_TRUE(is_two_manifold(mesh)): the mesh must be closed, oriented and strictly
+/// 2-manifold as an index mesh.
 inline ::testing::AssertionResult is_two_manifold(const Mesh& mesh) {
   const MeshCheck result = check_mesh(mesh);
   if (result.two_manifold) return ::testing::AssertionSuccess();
@@ -17,7 +18,8 @@ inline ::testing::AssertionResult is_two_manifold(const Mesh& mesh) {
          << (mesh.triangles.empty() && mesh.quads.empty() ? "the mesh is empty" : result.faults());
 }
 
-/// The same with a boundary allowed: one or two faces an edge, one fan or half-fan a vertex.
+/// Use as EXPECT_TRUE(is_manifold(mesh)): the mesh may have a boundary besides. An edge has one or
+/// two faces, and the faces at a vertex form one ring or one fan.
 inline ::testing::AssertionResult is_manifold(const Mesh& mesh) {
   const MeshCheck result = check_mesh(mesh);
   if (result.manifold) return ::testing::AssertionSuccess();

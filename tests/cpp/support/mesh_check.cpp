@@ -26,8 +26,9 @@ Index before(const Polygon& polygon, std::size_t i) {
   return polygon[(i + polygon.size() - 1) % polygon.size()];
 }
 
-// The edges of the link of one vertex: each face contributes its corner's two neighbours. A fan of
-// faces is a link that can be walked through in one go: a ring, or a path from end to end.
+// Tells whether the faces at a vertex form one fan. `link` has for each face the two vertices next
+// to the vertex: they are an edge of the vertex's link. The faces form one fan if the edges of the
+// link can be walked through in one go, in a ring or along a path.
 bool is_one_fan(const std::vector<Edge>& link) {
   std::map<Index, std::vector<std::size_t>> at;
   for (std::size_t i = 0; i < link.size(); ++i) {
@@ -56,7 +57,8 @@ bool is_one_fan(const std::vector<Edge>& link) {
   return count == link.size();
 }
 
-// The mean height of a triangle times the area of its shadow, summed, is the enclosed volume.
+// Returns the signed volume between a triangle and the plane z = 0: its mean height times the area
+// of its shadow. Over the faces of a closed mesh this adds up to the enclosed volume.
 double prism(const Vec3& a, const Vec3& b, const Vec3& c) {
   const double shadow = ((b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x())) / 2;
   return shadow * (a.z() + b.z() + c.z()) / 3;
@@ -86,7 +88,7 @@ int count_components(const std::vector<Polygon>& polygons,
   return components;
 }
 
-// From each boundary edge on to the one that starts where it ends.
+// Goes from each boundary edge to the one that starts where it ends.
 int count_boundary_loops(const std::vector<Polygon>& polygons,
                          const std::map<Edge, std::vector<std::size_t>>& faces_at) {
   std::map<Index, Index> next;

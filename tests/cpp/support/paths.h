@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the checkout lies that the tests were compiled from.
+// Where the checkout lies from which the tests were compiled.
 #pragma once
 
 #include <filesystem>
@@ -10,7 +10,7 @@ namespace kdm::paths {
 inline const std::filesystem::path kRoot =
     std::filesystem::path(__FILE__).parent_path().parent_path().parent_path().parent_path();
 
-/// Its folder of tests.
+/// The folder of tests in it.
 inline const std::filesystem::path kTests = kRoot / "tests";
 
 }  // namespace kdm::paths

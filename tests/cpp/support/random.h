@@ -10,14 +10,15 @@
 
 namespace kdm::check {
 
+/// A generator of random numbers.
 class Random {
  public:
   explicit Random(std::uint32_t seed) : engine_(seed) {}
 
-  /// 0 to limit - 1.
+  /// Returns a number from 0 to limit - 1.
   std::uint32_t below(std::uint32_t limit) { return next() % limit; }
   bool coin() { return below(2) == 0; }
-  /// In [0, 1).
+  /// Returns a number in [0, 1).
   double unit() { return next() / 4294967296.0; }
   double between(double lo, double hi) { return lo + (hi - lo) * unit(); }
   Vec3 point(double lo, double hi) {
@@ -26,7 +27,7 @@ class Random {
     const double z = between(lo, hi);
     return Vec3(x, y, z);
   }
-  /// A unit vector, evenly spread.
+  /// Returns a unit vector; all directions are equally likely.
   Vec3 direction() {
     for (;;) {
       const Vec3 p = point(-1, 1);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whether this build has sanitizers, which make it twenty times slower: tests that try many
-// combinations then try fewer. The optimised build tries them all.
+// Tells whether this build has sanitizers, which make it twenty times slower. Tests that try many
+// combinations try fewer then; the optimised build tries them all.
 #pragma once
 
 namespace kdm::check {

@@ -27,7 +27,7 @@ Mesh snapped(Mesh mesh, double step);           ///< coordinates rounded to mult
 Mesh soup(const Mesh& mesh);                    ///< three vertices of its own per triangle
 Mesh open(Mesh mesh, Index missing_faces = 1);  ///< the last faces left out
 
-/// Sum over the triangles of their signed tetrahedra with the origin; exact up to rounding.
+/// Returns the volume: the sum of the signed tetrahedra that triangles form with the origin.
 double signed_volume(const Mesh& mesh);
 
 /// sin and cos by a fixed polynomial, so that shapes do not depend on the platform's libm.
@@ -82,16 +82,17 @@ Mesh street(Index triangles = 88000);
 struct NamedShape {
   std::string name;
   Mesh mesh;
-  std::optional<double> volume;     ///< of the solid: unions counted once
-  std::optional<Index> components;  ///< of its boundary surface, once fine enough
-  std::optional<int> euler;         ///< of that surface
-  bool embedded = true;             ///< the mesh is the boundary: nothing overlaps or touches
+  std::optional<double> volume;  ///< of the solid; what lies in several parts counts once
+  std::optional<Index>
+      components;            ///< parts of the solid's boundary surface, once it is fine enough
+  std::optional<int> euler;  ///< Euler characteristic of the solid's boundary surface
+  bool embedded = true;      ///< the mesh is the boundary: nothing overlaps or touches
 };
 
-/// How GoogleTest names a shape in its messages.
+/// Tells GoogleTest how to name a shape in messages.
 inline void PrintTo(const NamedShape& shape, std::ostream* stream) { *stream << shape.name; }
 
-/// Every shape above at a size that a test can afford (under about 6,000 triangles each).
+/// Returns every shape above at a size that a test can afford: under about 6,000 triangles.
 std::vector<NamedShape> all_shapes();
 
 }  // namespace kdm::shapes

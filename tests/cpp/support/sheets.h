@@ -1,40 +1,44 @@
 // SPDX-License-Identifier: MIT
-// Open surfaces for tests, and how far two of them and their rims are apart.
+// Open surfaces for tests, and measures of how far two surfaces and their rims are apart.
 #pragma once
 
 #include "support/shapes.h"
 
 namespace kdm::shapes {
 
-/// The graph of a function over the unit square, nx by ny quads cut in two, normals up.
+/// Makes the graph of a function over the unit square, from nx by ny quads cut in two. Normals
+/// point up.
 Mesh grid_sheet(int nx, int ny, const std::function<double(double, double)>& height);
-/// The same without the quads for which `missing(i, j)`.
+/// Makes the same without the quads for which `missing(i, j)`.
 Mesh grid_sheet(int nx, int ny, const std::function<double(double, double)>& height,
                 const std::function<bool(int, int)>& missing);
-/// A band with half a turn: not orientable, so neighbours somewhere run the same way.
+/// Makes a band with half a turn. It cannot be oriented, so neighbours disagree somewhere.
 Mesh moebius_band(int segments);
-/// A tube about z without ends.
+/// Makes a tube about the z axis that is open at both ends.
 Mesh tube(double radius, double height, int segments);
 
+/// An open surface with what is known about it.
 struct OpenShape {
   std::string name;
   Mesh mesh;
   int components;
-  int loops;
-  int euler;
+  int loops;  ///< of its boundary
+  int euler;  ///< its Euler characteristic
 };
+/// Tells GoogleTest how to name a shape in messages.
 inline void PrintTo(const OpenShape& shape, std::ostream* stream) { *stream << shape.name; }
 
+/// Returns open surfaces of many kinds.
 std::vector<OpenShape> open_shapes();
 
 }  // namespace kdm::shapes
 
 namespace kdm::check {
 
-/// Largest distance from points all over `from`, rim included, to the faces of `to`. Every pair is
-/// looked at.
+/// Returns the largest distance of points all over `from`, its rim included, to the faces of `to`.
+/// It compares every point with every face.
 double distance_to(const Mesh& from, const Mesh& to);
-/// The same from the rim of one to the rim of the other.
+/// Returns the largest distance of points on the rim of `from` to the rim of `to`.
 double rim_distance_to(const Mesh& from, const Mesh& to);
 
 }  // namespace kdm::check

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Does a result bound the solid that its input describes? Asked at points away from the surface,
-// by solid angles in floating point: a method of its own, with nothing of the lattice in it.
+// Tells whether a result bounds the solid that its input describes. Compares winding numbers at
+// points away from the surface, found by solid angles in floating point: a method that shares
+// nothing with the library.
 #pragma once
 
 #include <functional>
@@ -10,15 +11,17 @@
 
 namespace kdm::check {
 
-/// How often the mesh winds round the point, rounded; the mesh must be closed.
+/// Returns how often a closed mesh winds round the point.
 int winding_number(const Mesh& mesh, const Vec3& point);
 
-/// Is the point further than `distance` from the box of every triangle?
+/// Tells whether the point is at least `distance` away from the box or the plane of every triangle.
 bool clear_of(const Mesh& mesh, const Vec3& point, double distance);
 
-/// Of `samples` random points in the input's box, those clear of its triangles: the result must
-/// wind once round those that are `inside(winding of the input)` and not round the others. Returns
-/// the first disagreement in words, "" if there is none, and counts the points that were compared.
+/// Compares the solids of input and result at random points in the input's box. Points that are not
+/// `clear_of` the input are left out of the `samples`. Round the others the input winds w times;
+/// the result must wind once if `inside(w)`, else not at all. Returns the first disagreement in
+/// words, or
+/// "" if there is none. `compared`, if given, is increased by the number of points compared.
 std::string compare_solids(const Mesh& input, const Mesh& result,
                            const std::function<bool(int)>& inside, double distance, int samples,
                            int* compared = nullptr);

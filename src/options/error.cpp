@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The names of error codes.
+// The names by which users of every language know error codes.
 #include "kdmanifold/error.h"
 
 namespace kdm {
