@@ -7,6 +7,7 @@
 #include "geometry/triangle_triangle.h"
 #include "kdmanifold/error.h"
 #include "kdmanifold/mesh.h"
+#include "mesh/marks.h"
 #include "support/random.h"
 #include "support/random_meshes.h"
 #include "support/shapes.h"
@@ -29,7 +30,7 @@ SelfIntersections by_brute_force(const Mesh& mesh) {
     return std::array<Vec3, 3>{mesh.positions[n[0]], mesh.positions[n[1]], mesh.positions[n[2]]};
   };
   SelfIntersections found;
-  std::vector<char> part(mesh.triangles.size() + mesh.quads.size(), 0);
+  Marks crossing(mesh.triangles.size() + mesh.quads.size());
   for (Index i = 0; i < triangles.size(); ++i) {
     for (Index j = 0; j < i; ++j) {
       if (face_of[i] == face_of[j]) continue;
@@ -37,11 +38,12 @@ SelfIntersections by_brute_force(const Mesh& mesh) {
         continue;
       }
       ++found.pairs;
-      part[face_of[i]] = part[face_of[j]] = 1;
+      crossing.set(face_of[i]);
+      crossing.set(face_of[j]);
     }
   }
-  for (Index i = 0; i < part.size(); ++i) {
-    if (part[i] != 0) found.faces.push_back(i);
+  for (Index i = 0; i < crossing.size(); ++i) {
+    if (crossing.test(i)) found.faces.push_back(i);
   }
   return found;
 }

@@ -27,7 +27,7 @@ Index end_of(const std::vector<Triangle>& triangles, Index side) {
   return triangles[side / 3][next_corner(static_cast<int>(side % 3))];
 }
 
-// Twins are mutual and run along the same edge the other way.
+// Opposites are mutual and run along the same edge the other way.
 void expect_mutual_opposites(const std::vector<Triangle>& triangles, const Topology& topology) {
   ASSERT_EQ(topology.opposite.size(), 3 * triangles.size());
   for (Index side = 0; side < topology.opposite.size(); ++side) {
