@@ -14,7 +14,7 @@
 #include "construct/budget.h"
 #include "construct/crossing_search.h"
 #include "geometry/assert.h"
-#include "inside/inside_model.h"
+#include "inside/make_inside_model.h"
 #include "mesh/progress.h"
 #include "split/split_rules.h"
 #include "split/triangle_lists.h"

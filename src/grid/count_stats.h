@@ -6,8 +6,9 @@
 
 namespace kdm {
 
-/// Counts cells, leaves, depth, hits, hits of no input face, and bytes. Leaves the other statistics
-/// as they are. Linear in cells and hits.
+/// Counts cells, leaves, depth, hits, hits of no input face and bytes, and notes the tolerance
+/// (model units) and whether the grid is a sheet's. Leaves the other statistics as they are. Linear
+/// in cells and hits.
 void count_stats(GridData& grid);
 
 /// Counts the minimal faces whose links do not follow from their hits: those with more than two

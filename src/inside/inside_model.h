@@ -9,13 +9,11 @@
 // the place alone, so that cells agree on them however they are split.
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include "inside/crossing.h"
 #include "inside/hit_writer.h"
-#include "kdmanifold/build.h"
-#include "prepare/surface.h"
+#include "kdmanifold/grid.h"
 
 namespace kdm {
 
@@ -54,11 +52,5 @@ class InsideModel {
   /// Notes in the statistics what the model chose by itself.
   virtual void report(GridStats& stats) const { static_cast<void>(stats); }
 };
-
-/// Makes the model that suits the surface and the options: one for a sheet, one for a surface that
-/// is to be repaired, and one that counts winding numbers for any other. `tolerance` is in lattice
-/// units. The surface must outlive the model.
-std::unique_ptr<InsideModel> make_inside_model(const Surface& surface, const BuildOptions& options,
-                                               double tolerance);
 
 }  // namespace kdm

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What every inside model promises: states that depend on the place alone, and crossings that lead
 // from one state to the next.
-#include "inside/inside_model.h"
+#include "inside/make_inside_model.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The models that count crossings: of solids by winding numbers, and of sheets.
-#include "inside/inside_model.h"
+#include "inside/make_inside_model.h"
 
 #include "geometry/assert.h"
 #include "grid/splitting_edges.h"
