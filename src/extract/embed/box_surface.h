@@ -1,34 +1,39 @@
 // SPDX-License-Identifier: MIT
-// The surface of a box, triangulated with closed curves on it as edges.
+// The surface of a box, divided into triangles of which given closed curves are edges, and the part
+// of the surface that each curve cuts off.
 #pragma once
 
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "geometry/lattice.h"
 
 namespace kdm {
 
-/// A closed walk over points, by number; the first follows the last.
+/// A closed polygon, as the numbers of its points in turn; the first follows the last.
 using Curve = std::vector<Index>;
 
+/// The triangulated surface of a box, and the caps of the curves on it.
 struct BoxSurface {
-  std::vector<Vec3> points;         ///< those given, then the corners of the box
-  std::vector<Triangle> triangles;  ///< counter-clockwise seen from outside
+  std::vector<Vec3> points;         ///< those given, then the eight corners of the box
+  std::vector<Triangle> triangles;  ///< numbers of points, counter-clockwise seen from outside
 
-  /// The same on the side of a curve that is turned away from the largest part of the surface.
+  /// The part of the surface that a curve cuts off. The curves cut the surface into regions; the
+  /// cap is what lies on that side of the curve on which the largest region does not lie.
   struct Cap {
-    std::vector<Index> triangles;
-    bool left = false;  ///< the side lies left of the curve, seen from outside
-    int level = 1;      ///< greater than that of all curves within the cap
+    std::vector<Index> triangles;  ///< numbers of triangles of the surface
+    bool left = false;             ///< the cap lies to the left of the curve, seen from outside
+    int level = 1;                 ///< 1 if no curves lie within the cap, else 1 more than the
+                                   ///< greatest level of those
   };
   std::vector<Cap> caps;  ///< per curve
-  int levels = 1;         ///< the largest
+  int levels = 1;         ///< the greatest level of all caps
 };
 
-/// `points` lie on the sides of the box exactly, `curves` are simple and disjoint and each of their
-/// edges lies in one side, along none of the box's edges. Nothing if it is otherwise.
+/// Triangulates the surface of the box from `lo` to `hi`. All `points` must lie exactly on its
+/// sides. The curves must be simple and disjoint, and each of their edges must lie in one side of
+/// the box, but not along an edge of the box. Returns nothing if that is not so. Takes time that
+/// grows with the third power of the number of points on a side: meant for few.
 std::optional<BoxSurface> triangulate_box(const Vec3& lo, const Vec3& hi, std::vector<Vec3> points,
                                           const std::vector<Curve>& curves);
 
