@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A result that does not meet itself.
+// A mesh that does not meet itself.
 #pragma once
 
 #include <cstdint>
@@ -12,19 +12,26 @@
 
 namespace kdm {
 
-/// A mesh whose triangles do not meet, and what was done to it.
+/// A mesh whose triangles do not meet but in the corners and sides they share.
 struct Embedding {
   DualMesh mesh;
-  EditLog log;
-  Index refined_hits = 0;       ///< that got a vertex
-  std::uint64_t crossings = 0;  ///< pairs of triangles that still cross or touch
+  EditLog log;                  ///< what was done to the mesh since its loops were found
+  Index refined_hits = 0;       ///< number of hits above level `kTriangle`
+  std::uint64_t crossings = 0;  ///< pairs of triangles that still cross or touch; 0 but for rare
+                                ///< input, such as solids that touch themselves along an edge
 };
 
-/// Makes a mesh of `loops`, one triangle a hit and one vertex a loop, by the same passes as without
-/// embedding, and makes parts of it again at higher levels wherever its triangles cross, touch or
-/// have no area, until none do or there is nothing left to add. `missed` are the vertices that
-/// `place_vertices` returned. All coordinates of the result are rounded to what 32 bits in model
-/// units hold. Reports its rounds as 0.7 to 0.9 of the whole.
+/// Makes a mesh that does not meet itself from `loops`, the mesh of one triangle a hit and one
+/// vertex a loop.
+///
+/// First makes the same mesh as without embedding. Then looks for triangles that cross or touch
+/// others or have no area, raises the levels of their hits (embed_level.h), makes the mesh anew
+/// there, and repeats this until there are no such triangles, or all of their hits have the highest
+/// level. Most hits keep their one triangle.
+///
+/// `missed` are the loops whose vertices miss planes of their hits, as `place_vertices` returns
+/// them. All coordinates of the result, converted to model units, fit in 32 bits without rounding.
+/// Tells `progress` fractions from 0.7 to 0.9.
 Embedding embed(const GridView& view, const FaceSettings& settings, std::span<const LoopId> missed,
                 const Progress& progress, DualMesh loops);
 

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: MIT
-// The test of single hits.
+// The conditions of envelope.h, tested hit by hit.
 #include "extract/embed/envelope.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "extract/dual/clearance.h"
+
 namespace kdm {
 
-bool rounds_little(const Lattice& lattice) {
-  // A coordinate in model units is rounded by 2^-50 of the largest; kLeastSine makes it 2^14 times
-  // as much at worst.
+bool double_precision_suffices(const Lattice& lattice) {
+  // A coordinate in model units is rounded by 2^-50 of the largest one. Where a plane meets an edge
+  // under the sine kLeastSine, the error grows 2^14 times at worst. It must stay below a part of
+  // kClear.
   const double largest = lattice.origin.cwiseAbs().maxCoeff() + lattice.step * kLatticeSize;
   return largest < lattice.step * 0x1p50 * 0x1p-14 * (kClear / 16);
 }
@@ -19,95 +22,81 @@ Envelopes::Envelopes(const GridView& view, const DualMesh& loops, const EditLog&
     : view_(view),
       loops_(loops),
       log_(log),
-      first_loop_(view.grid.cells.size(), kNone),
-      next_loop_(loops.vertices(), kNone),
-      separated_(view.grid.cells.size(), 1),
-      doubled_(view.grid.hits.size(), 0) {
-  for (Index v = 0; v < loops.vertices(); ++v) {
-    next_loop_[v] = first_loop_[loops.leaf[v]];
-    first_loop_[loops.leaf[v]] = v;
-  }
-  find_doubled();
+      loop_in_leaf_(view.grid.cells.size(), kNone),
+      not_parted_(view.grid.cells.size()),
+      has_doubled_link_(view.grid.hits.size()) {
+  for (LoopId v = 0; v < loops.vertices(); ++v) loop_in_leaf_[loops.leaf[v]] = v;
+  find_doubled_links();
 }
 
-void Envelopes::find_doubled() {
-  std::vector<Index> from(view_.grid.cells.size(),
-                          kNone);  // the last loop with a link to this leaf
-  const auto leaf_beyond = [&](Index half_edge) {
-    return loops_.leaf[loops_.end_vertex(half_edge)];
-  };
-  const auto mark = [&](Index v, Index leaf) {
+void Envelopes::find_doubled_links() {
+  std::vector<LoopId> last_linked(view_.grid.cells.size(), kNone);  // per leaf
+  for (LoopId v = 0; v < loops_.vertices(); ++v) {
     for (const HalfEdgeId h : loops_.ring(v)) {
-      if (leaf_beyond(h) != leaf) continue;
-      doubled_[h / 3] = 1;
-      const HalfEdgeId other = loops_.opposite[h];
-      if (other != kNone) doubled_[other / 3] = 1;
-    }
-  };
-  for (Index v = 0; v < loops_.vertices(); ++v) {
-    for (const HalfEdgeId h : loops_.ring(v)) {
-      const CellId leaf = leaf_beyond(h);
-      if (from[leaf] == v) mark(v, leaf);
-      from[leaf] = v;
+      const CellId leaf_beyond = loops_.leaf[loops_.end_vertex(h)];
+      if (last_linked[leaf_beyond] == v) mark_links_to(leaf_beyond, v);
+      last_linked[leaf_beyond] = v;
     }
   }
 }
 
-// By planes that are upright on the mean normal of one of the loops.
-void Envelopes::separate(const DualMesh& mesh, const HitTriangles& triangles, Index leaf) {
-  const auto normal_of = [&](Index v) {
-    Vec3 sum = Vec3::Zero();
-    for_each_hit_of(v, [&](Index hit) { sum += view_.grid.plane_of(hit).normal; });
-    return sum;
-  };
-  const auto parted_along = [&](const Vec3& normal) {
-    std::vector<std::pair<double, double>> ranges;
-    for (Index v = first_loop_[leaf]; v != kNone; v = next_loop_[v]) {
-      ranges.emplace_back(std::numeric_limits<double>::max(),
-                          std::numeric_limits<double>::lowest());
-      for_each_hit_of(v, [&](Index hit) {
-        triangles.for_each(hit, [&](Index t) {
-          for (Index i = 0; i < 3; ++i) {
-            const double height = normal.dot(mesh.position[mesh.vertex[3 * t + i]]);
-            ranges.back().first = std::min(ranges.back().first, height);
-            ranges.back().second = std::max(ranges.back().second, height);
-          }
-        });
+// Marks the hits on both sides of the loop's links to the leaf.
+void Envelopes::mark_links_to(CellId leaf, LoopId v) {
+  for (const HalfEdgeId h : loops_.ring(v)) {
+    if (loops_.leaf[loops_.end_vertex(h)] != leaf) continue;
+    has_doubled_link_.set(h / 3);
+    const HalfEdgeId opposite = loops_.opposite[h];
+    if (opposite != kNone) has_doubled_link_.set(opposite / 3);
+  }
+}
+
+void Envelopes::update_leaf(const DualMesh& mesh, const HitTriangles& triangles, CellId leaf) {
+  bool parted = false;
+  for_each_loop(leaf, [&](LoopId v) {
+    parted = parted || parted_along(normal_of(v), mesh, triangles, leaf);
+  });
+  not_parted_.set(leaf, !parted);
+}
+
+// The sum of the normals of the loop's hits.
+Vec3 Envelopes::normal_of(LoopId v) const {
+  Vec3 sum = Vec3::Zero();
+  for_each_hit_round(v, [&](HitId hit) { sum += view_.grid.plane_of(hit).normal; });
+  return sum;
+}
+
+// Do planes with this normal part the triangles round the loops of the leaf?
+bool Envelopes::parted_along(const Vec3& normal, const DualMesh& mesh,
+                             const HitTriangles& triangles, CellId leaf) const {
+  std::vector<std::pair<double, double>> ranges;  // per loop: of heights along the normal
+  for_each_loop(leaf, [&](LoopId v) {
+    auto& [lowest, highest] = ranges.emplace_back(std::numeric_limits<double>::max(),
+                                                  std::numeric_limits<double>::lowest());
+    for_each_hit_round(v, [&](HitId hit) {
+      triangles.for_each(hit, [&](TriangleId t) {
+        for (HalfEdgeId h = 3 * t; h < 3 * t + 3; ++h) {
+          const double height = normal.dot(mesh.position[mesh.vertex[h]]);
+          lowest = std::min(lowest, height);
+          highest = std::max(highest, height);
+        }
       });
-    }
-    std::sort(ranges.begin(), ranges.end());
-    for (std::size_t i = 1; i < ranges.size(); ++i) {
-      if (!(ranges[i].first > ranges[i - 1].second + 4 * kClear * normal.norm())) return false;
-    }
-    return true;
-  };
-  separated_[leaf] = 0;
-  for (Index v = first_loop_[leaf]; v != kNone && separated_[leaf] == 0; v = next_loop_[v]) {
-    separated_[leaf] = parted_along(normal_of(v)) ? 1 : 0;
+    });
+  });
+  std::sort(ranges.begin(), ranges.end());
+  const double gap = 4 * kClear * normal.norm();
+  for (std::size_t i = 1; i < ranges.size(); ++i) {
+    if (!(ranges[i].first > ranges[i - 1].second + gap)) return false;
   }
+  return true;
 }
 
-void HitTriangles::read(const DualMesh& mesh) {
-  own_.assign(hits_, 0);
-  first_.assign(hits_, kNone);
-  next_.assign(mesh.triangles(), kNone);
-  for (Index t = 0; t < mesh.triangles(); ++t) {
-    if (mesh.dropped(t)) continue;
-    const Index hit = mesh.hit[t];
-    if (hit == t) {
-      own_[t] = 1;
-    } else {
-      next_[t] = first_[hit];
-      first_[hit] = t;
-    }
-  }
-}
-
-Envelopes::Stretch Envelopes::stretch(Index hit) const {
+// The part of the hit's grid edge that all its leaves have in common, with those of the hits across
+// strips from it.
+Envelopes::Stretch Envelopes::stretch_of(HitId hit) const {
   LatticePoint lo = view_.boxes[0].lo;
   LatticePoint hi = view_.boxes[0].hi;
-  const auto narrow = [&](Index triangle) {
-    for (Index h = 3 * triangle; h < 3 * triangle + 3; ++h) {
+  const auto narrow_to_leaves_of = [&](HitId of_hit) {
+    for (HalfEdgeId h = 3 * of_hit; h < 3 * of_hit + 3; ++h) {
       const LatticeBox& box = view_.boxes[loops_.leaf[loops_.vertex[h]]];
       for (int i = 0; i < 3; ++i) {
         lo[i] = std::max(lo[i], box.lo[i]);
@@ -115,9 +104,9 @@ Envelopes::Stretch Envelopes::stretch(Index hit) const {
       }
     }
   };
-  narrow(hit);
+  narrow_to_leaves_of(hit);
   for (Index i = 0; i < 3; ++i) {
-    if ((loops_.strip[hit] >> i & 1) != 0) narrow(loops_.opposite[3 * hit + i] / 3);
+    if ((loops_.strip[hit] >> i & 1) != 0) narrow_to_leaves_of(loops_.opposite[3 * hit + i] / 3);
   }
   Stretch found;
   for (int i = 0; i < 3; ++i) {
@@ -128,12 +117,13 @@ Envelopes::Stretch Envelopes::stretch(Index hit) const {
   return found;
 }
 
-bool Envelopes::rim_holds(const DualMesh& mesh, Index hit) const {
-  if (doubled_[hit] != 0 || log_.edited(hit)) return false;
+// Conditions (a) to (c), and whether the hit's triangles were only divided.
+bool Envelopes::rim_is_sound(const DualMesh& mesh, HitId hit) const {
+  if (has_doubled_link_.test(hit) || log_.edited(hit)) return false;
   for (Index i = 0; i < 3; ++i) {
-    const Index half_edge = 3 * hit + i;
-    const Index v = loops_.vertex[half_edge];
-    if (separated_[loops_.leaf[v]] == 0 || loops_.opposite[half_edge] == kNone) return false;
+    const HalfEdgeId h = 3 * hit + i;
+    const LoopId v = loops_.vertex[h];
+    if (not_parted_.test(loops_.leaf[v]) || loops_.opposite[h] == kNone) return false;
     const LatticeBox& box = view_.boxes[loops_.leaf[v]];
     const Vec3& p = mesh.position[v];
     for (int axis = 0; axis < 3; ++axis) {
@@ -144,48 +134,53 @@ bool Envelopes::rim_holds(const DualMesh& mesh, Index hit) const {
   return true;
 }
 
-bool Envelopes::meets(const DualMesh& mesh, Index triangle, Index hit,
-                      const Stretch& stretch) const {
+// Conditions (d) and (e): is the triangle of the hit turned as the hit is, and does its plane meet
+// the edge inside of the stretch?
+bool Envelopes::passes_through(const Stretch& stretch, const DualMesh& mesh, TriangleId triangle,
+                               HitId hit) const {
   const int u = next_axis(stretch.axis);
   const int v = previous_axis(stretch.axis);
   const Vec3& edge = view_.hit_points[hit];
+  // Areas and lengths seen along the edge. The plane's height at the edge is the mean of the
+  // corners' heights, weighted by the areas that the edge makes with the opposite sides.
   double area = 0;
-  double height = 0;
-  double size = 0;
+  double weighted_height = 0;
+  double extent = 0;
   for (Index i = 0; i < 3; ++i) {
     const Vec3& p = mesh.position[mesh.vertex[3 * triangle + i]];
     const Vec3& q = mesh.position[mesh.vertex[3 * triangle + (i + 1) % 3]];
     const Vec3& r = mesh.position[mesh.vertex[3 * triangle + (i + 2) % 3]];
-    const double part = (q[u] - edge[u]) * (r[v] - edge[v]) - (q[v] - edge[v]) * (r[u] - edge[u]);
-    area += part;
-    height += part * (p[stretch.axis] - edge[stretch.axis]);
-    size = std::max({size, std::abs(p[u] - edge[u]), std::abs(p[v] - edge[v]),
-                     std::abs(p[stretch.axis] - edge[stretch.axis])});
+    const double weight = (q[u] - edge[u]) * (r[v] - edge[v]) - (q[v] - edge[v]) * (r[u] - edge[u]);
+    area += weight;
+    weighted_height += weight * (p[stretch.axis] - edge[stretch.axis]);
+    extent = std::max({extent, std::abs(p[u] - edge[u]), std::abs(p[v] - edge[v]),
+                       std::abs(p[stretch.axis] - edge[stretch.axis])});
   }
   if (!view_.grid.hits[hit].leaving()) {
     area = -area;
-    height = -height;
+    weighted_height = -weighted_height;
   }
-  if (!(area > kLeastSine * size * size)) return false;
-  const double where = edge[stretch.axis] + height / area;
-  return where > stretch.lo + kClear && where < stretch.hi - kClear;
+  if (!(area > kLeastSine * extent * extent)) return false;
+  const double meets_edge_at = edge[stretch.axis] + weighted_height / area;
+  return meets_edge_at > stretch.lo + kClear && meets_edge_at < stretch.hi - kClear;
 }
 
-bool Envelopes::holds(const DualMesh& mesh, const HitTriangles& triangles, Index hit) const {
+bool Envelopes::enclose(const DualMesh& mesh, const HitTriangles& triangles, HitId hit) const {
   if (loops_.dropped(hit)) return true;
-  if (!rim_holds(mesh, hit)) return false;
-  const Stretch within = stretch(hit);
-  if (within.axis < 0) return false;
-  const auto all_meet = [&](Index of_hit) {
+  if (!rim_is_sound(mesh, hit)) return false;
+  const Stretch stretch = stretch_of(hit);
+  if (stretch.axis < 0) return false;
+  const auto all_pass = [&](HitId of_hit) {
     bool all = true;
-    triangles.for_each(of_hit, [&](Index t) { all = all && meets(mesh, t, of_hit, within); });
+    triangles.for_each(
+        of_hit, [&](TriangleId t) { all = all && passes_through(stretch, mesh, t, of_hit); });
     return all;
   };
-  if (!all_meet(hit)) return false;
+  if (!all_pass(hit)) return false;
   for (Index i = 0; i < 3; ++i) {
     if ((loops_.strip[hit] >> i & 1) == 0) continue;
-    const Index partner = loops_.opposite[3 * hit + i] / 3;
-    if (!rim_holds(mesh, partner) || !all_meet(partner)) return false;
+    const HitId partner = loops_.opposite[3 * hit + i] / 3;
+    if (!rim_is_sound(mesh, partner) || !all_pass(partner)) return false;
   }
   return true;
 }

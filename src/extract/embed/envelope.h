@@ -1,105 +1,175 @@
 // SPDX-License-Identifier: MIT
-// Which hits' triangles cannot meet those of others: a test of each alone, without pairs.
+// Shows of single hits that their triangles cannot cross those of other hits: each hit has a region
+// of its own, its envelope, and keeps to it. No pairs of triangles are looked at.
 //
-// Round the stretch S of grid edge that a hit's leaves have in common lie, in turn, the vertices of
-// their loops and the points where the links to the next hits go through the minimal faces: its
-// rim r0, r1, ... The tetrahedra (S, ri, ri+1) are the hit's envelope. Each lies in one leaf and is
-// made of a loop's vertex v, a link's point x and S, and two hits' envelopes have but rim edges
-// v-x in common, if every v lies inside of its leaf, every x inside of its minimal face, no leaf
-// has two loops and no loop two links to one leaf: seen from v, (S, x) are triangles on the leaf's
-// sides, of which those of one face have only x in common, since x sees its outline whole. Where a
-// leaf has several loops, planes must part the triangles round them; triangles that meet on a face
-// are round the same loop on one side of it or the other, or parted there.
+// Definitions. Let h be a hit.
 //
-// The hit's triangles lie in the envelope if, seen along the edge, all are turned rightly, so that
-// they cover what lies within the rim once, and the plane of each meets the edge within S. For
-// along a ray from the edge to a point of the rim, their height above the envelope's lower side is
-// linear in pieces, each of which continues to a height above it at the edge, and the last one
-// ends on the rim; so from there inwards none begins below, and the same holds for the upper side.
-// It matters neither how many triangles there are nor which. Across a strip two hits have four
-// leaves, one S, and one rim.
+//   S     The stretch of h: the part of h's grid edge that all leaves of h have in common.
+//   v, x  Each leaf of h holds one loop of h, which has a vertex v. Between two of h's leaves lies
+//         a minimal face, and across it a link leads from h to another hit; x is the point where
+//         the surface passes through the face there.
+//   rim   The closed polygon r0, r1, r2, ... of these points in turn: v, x, v, x, v, x. It runs
+//         round the edge once, and it is the boundary of h's triangles as long as triangles were
+//         only divided. Each side of it joins a v and an x and belongs to two hits, those that are
+//         linked there.
+//   envelope  The union of the tetrahedra (S, ri, ri+1), one over each side of the rim.
 //
-// All this is tested with room for rounding.
+// Where h's edge has a strip, h is linked across it to a hit on the coinciding edge. The two have
+// four leaves, one stretch and one rim, in which the strip's link has no point; their triangles
+// are taken together.
+//
+// Conditions. For all hits:
+//
+//   (a) Every v lies strictly inside of its leaf, every x strictly inside of its minimal face.
+//   (b) No loop has two links to one leaf.
+//   (c) If a leaf holds several loops, then parallel planes part their triangles.
+//
+// Claim 1. Let (a) to (c) hold, and let the triangles of two hits lie in the hits' envelopes and
+// touch the upper and lower sides of these, the triangles (end of S, ri, ri+1), only in the rims.
+// Then the triangles of one hit and of the other have nothing in common but sides and corners of
+// both rims.
+//
+//   1. If the hits are round different loops of one leaf, planes part all their triangles by (c).
+//      Otherwise they have the same loop, and the same v, in every leaf that they share.
+//   2. Each tetrahedron is spanned by S, a vertex v and a point x, which all lie in the closed leaf
+//      of v. The leaf is convex, so the tetrahedron lies in it. By (a) it touches the leaf's sides
+//      only in the triangle (S, x), which lies in the minimal face of x.
+//   3. The two stretches have at most an end in common. For all points inside of a stretch have the
+//      same leaves round them. If both hits had these leaves, they would have the same loops by
+//      step 1. They are not linked to each other on all sides, since such pillows were dropped; so
+//      one of the loops would have two links to one leaf, which (b) rules out.
+//   4. The same holds for triangles (S, x) and (S', x') of the hits on the sides of leaves, but for
+//      x. In one minimal face x = x', since two links across it would join the same two loops by
+//      step 1, which (b) rules out; and from x, inside of a rectangle, its outline is seen whole.
+//      So the two triangles have x in common and, where the stretches touch, the line from x to
+//      their common end. In different minimal faces they meet on the outlines at most, where only
+//      the stretches lie.
+//   5. Tetrahedra of different leaves meet in these triangles at most. Tetrahedra of one leaf are
+//      cones over them with the same apex v; a ray from v, inside of the leaf, meets the leaf's
+//      sides in one point, so the cones meet on the rays from v to points that their triangles have
+//      in common. By step 4 these make up the line v-x, a side of both rims, and, where the
+//      stretches touch, lines and triangles that lie in upper or lower sides of the envelopes; of
+//      those, the hits' triangles touch only rims.
+//
+// Claim 2. The triangles of h lie in its envelope, and touch its upper and lower sides only in the
+// rim, if two things hold:
+//
+//   (d) Seen along the edge, all of them are turned the same way, as the hit is.
+//   (e) The plane of each meets the line of the edge strictly inside of S.
+//
+//   1. Seen along the edge, the rim runs round the edge once, through one leaf after the other. By
+//      (d), the number of triangles that lie over a point is the number of times that the rim runs
+//      round it. So the triangles cover what lies within the rim exactly once: they are the graph
+//      of a height along the edge, which is linear in pieces.
+//   2. Take a ray, seen along the edge, from the edge to a point of the rim. Over it the envelope
+//      is a triangle: from S to the point of the rim. Let g be the surface's height above the lower
+//      side of this triangle. It is linear in pieces along the ray.
+//   3. By (e) each piece, continued to the edge, is positive there.
+//   4. The last piece is zero on the rim and positive on the edge, so it is positive in between,
+//      also where it begins. The piece before it ends with this value and is positive on the edge,
+//      so it is positive throughout; and so on inwards, piece by piece.
+//   5. The same holds for the distance to the upper side. Hence the surface over the ray lies in
+//   the
+//      envelope, strictly between its upper and its lower side but for the point of the rim.
+//
+// Neither how many triangles a hit has nor which they are plays a part in this.
+//
+// What is tested, with room for rounding (`kClear` is 1/32 lattice unit, `kLeastSine` 1/4096):
+//
+//   (a) v lies more than kClear off all sides of its leaf. Of x the log says that it lies inside of
+//       its face, found with the same margin when the link was placed.
+//   (b) exactly, from the links.
+//   (c) for planes whose normal is the sum of the hits' normals of one loop of the leaf: between
+//       the triangles of two loops lies a gap of more than 4 kClear, an eighth of a lattice unit.
+//   (d) twice the area of each triangle, seen along the edge, is greater than kLeastSine times the
+//       square of its extent about the hit.
+//   (e) the plane meets the edge more than kClear from the ends of S.
+//   And the hit's triangles were only divided: its rim is that of the definition.
+//
+// A hit that fails a test may still keep clear of all others; nothing is known about it.
 #pragma once
 
-#include "extract/dual/clearance.h"
-#include "extract/dual/dual_mesh.h"
+#include <vector>
+
 #include "extract/dual/edit_log.h"
 #include "extract/dual/grid_view.h"
+#include "extract/embed/hit_triangles.h"
+#include "mesh/marks.h"
 
 namespace kdm {
 
-/// Is double precision enough for the above? Not where the model is some thousand times its size
-/// off the origin.
-bool rounds_little(const Lattice& lattice);
+/// Tells whether double precision is enough for the tests above, margins included. It is not where
+/// the model lies some thousand times its size off the origin.
+bool double_precision_suffices(const Lattice& lattice);
 
-/// The triangles of every hit of a mesh.
-class HitTriangles {
- public:
-  explicit HitTriangles(Index hits) : hits_(hits) {}
-
-  /// Reads them anew.
-  void read(const DualMesh& mesh);
-  /// Calls `visit(t)` for each.
-  template <typename Visit>
-  void for_each(Index hit, const Visit& visit) const {
-    if (own_[hit] != 0) visit(hit);
-    for (Index t = first_[hit]; t != kNone; t = next_[t]) visit(t);
-  }
-
- private:
-  Index hits_;
-  std::vector<char> own_;     // per hit: the triangle of its number is its own, flips exchange them
-  std::vector<Index> first_;  // per hit: of a list of the others
-  std::vector<Index> next_;   // per triangle
-};
-
-/// The test for the hits of a mesh. `loops` is what it was made from: one triangle a hit. `log`
-/// says what was done to it since.
+/// Tests the hits of a mesh. Refers to the grid, to `loops`, the mesh of one triangle a hit from
+/// which the mesh was made, with the loops of leaves found (`find_loops_of_leaves`), and to `log`,
+/// which says what was done to it since.
 class Envelopes {
  public:
+  /// Takes loops of one leaf as parted until `update_leaf` finds them otherwise.
   Envelopes(const GridView& view, const DualMesh& loops, const EditLog& log);
 
-  /// Finds anew whether the triangles round the loops of a leaf keep to sides of planes.
-  void separate(const DualMesh& mesh, const HitTriangles& triangles, Index leaf);
+  /// Finds anew whether parallel planes part the triangles round the loops of a leaf (condition c).
+  /// To be called when triangles round loops of a leaf that `has_several_loops` have changed.
+  void update_leaf(const DualMesh& mesh, const HitTriangles& triangles, CellId leaf);
 
-  /// Do the hit's triangles lie in its envelope, those of other loops in its leaves apart?
-  bool holds(const DualMesh& mesh, const HitTriangles& triangles, Index hit) const;
+  /// Tells whether all conditions above hold for the hit, so that its triangles cannot meet those
+  /// of other hits of which the same is true. A dropped hit has no triangles and is enclosed.
+  bool enclose(const DualMesh& mesh, const HitTriangles& triangles, HitId hit) const;
 
-  bool has_several_loops(Index leaf) const {
-    return first_loop_[leaf] != kNone && next_loop_[first_loop_[leaf]] != kNone;
+  bool has_several_loops(CellId leaf) const {
+    const LoopId v = loop_in_leaf_[leaf];
+    return v != kNone && loops_.next_loop_in_leaf[v] != v;
+  }
+
+  /// Calls `visit(v)` for each loop of the leaf.
+  template <typename Visit>
+  void for_each_loop(CellId leaf, const Visit& visit) const {
+    const LoopId first = loop_in_leaf_[leaf];
+    if (first == kNone) return;
+    LoopId v = first;
+    do {
+      visit(v);
+      v = loops_.next_loop_in_leaf[v];
+    } while (v != first);
   }
 
   /// Calls `visit(hit)` for the hits round each loop of the leaf.
   template <typename Visit>
-  void for_each_hit(Index leaf, const Visit& visit) const {
-    for (Index v = first_loop_[leaf]; v != kNone; v = next_loop_[v]) for_each_hit_of(v, visit);
+  void for_each_hit(CellId leaf, const Visit& visit) const {
+    for_each_loop(leaf, [&](LoopId v) { for_each_hit_round(v, visit); });
   }
 
  private:
+  // A part of a grid edge, in lattice units along its axis.
   struct Stretch {
-    int axis = -1;  // -1: none
+    int axis = -1;  // -1: there is none
     double lo = 0;
     double hi = 0;
   };
 
   template <typename Visit>
-  void for_each_hit_of(Index loop, const Visit& visit) const {
-    for (const HalfEdgeId h : loops_.ring(loop)) visit(h / 3);
+  void for_each_hit_round(LoopId v, const Visit& visit) const {
+    for (const HalfEdgeId h : loops_.ring(v)) visit(h / 3);
   }
 
-  void find_doubled();
-  Stretch stretch(Index hit) const;
-  bool rim_holds(const DualMesh& mesh, Index hit) const;
-  bool meets(const DualMesh& mesh, Index triangle, Index hit, const Stretch& stretch) const;
+  void find_doubled_links();
+  void mark_links_to(CellId leaf, LoopId v);
+  Vec3 normal_of(LoopId v) const;
+  bool parted_along(const Vec3& normal, const DualMesh& mesh, const HitTriangles& triangles,
+                    CellId leaf) const;
+  Stretch stretch_of(HitId hit) const;
+  bool rim_is_sound(const DualMesh& mesh, HitId hit) const;
+  bool passes_through(const Stretch& stretch, const DualMesh& mesh, TriangleId triangle,
+                      HitId hit) const;
 
   GridView view_;
   const DualMesh& loops_;
   const EditLog& log_;
-  std::vector<Index> first_loop_;  // per leaf
-  std::vector<Index> next_loop_;   // per loop: in the same leaf
-  std::vector<char> separated_;    // per leaf: its loops' triangles are
-  std::vector<char> doubled_;      // per hit: a loop of its has two links to one leaf
+  std::vector<LoopId> loop_in_leaf_;  // per cell: a loop that lies in it, or kNone
+  Marks not_parted_;                  // per cell: planes do not part its loops' triangles
+  Marks has_doubled_link_;            // per hit: a loop has two links to one leaf, one of them here
 };
 
 }  // namespace kdm

@@ -2,20 +2,25 @@
 // Taking back what was done to a part of a dual mesh.
 #pragma once
 
+#include <vector>
+
 #include "extract/dual/edit_log.h"
 
 namespace kdm {
 
+/// The part of a mesh that was taken back.
 struct Restored {
-  std::vector<Index> hits;   ///< ascending
-  std::vector<Index> loops;  ///< all of theirs; ascending
-  std::vector<Index> cut;    ///< those that had been split; ascending
+  std::vector<HitId> hits;    ///< each has one triangle again; ascending
+  std::vector<LoopId> loops;  ///< those round which these hits are; ascending
+  std::vector<LoopId> split;  ///< the loops from which vertices had been split off; ascending
 };
 
-/// Makes the triangles of these hits, and of all that divisions, splits and flips have tied to
-/// them, again what they are in `loops`, from which the mesh was made: one triangle a hit. Vertices
-/// and triangles that were added there are dropped.
-Restored restore(const DualMesh& loops, const std::vector<Index>& hits, DualMesh& mesh,
+/// Makes the triangles of these hits again what they are in `loops`, from which `mesh` was made:
+/// one triangle a hit, with its links and its loops' vertices. The same is done to all hits whose
+/// triangles were changed together with theirs, and to those round other loops of the same leaves.
+/// Vertices and triangles that were added there are dropped; what was noted in `log` about these
+/// hits and loops is forgotten. Takes time for the hits, and for one pass over all triangles.
+Restored restore(const DualMesh& loops, const std::vector<HitId>& hits, DualMesh& mesh,
                  EditLog& log);
 
 }  // namespace kdm

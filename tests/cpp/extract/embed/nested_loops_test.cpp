@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Several loops of one leaf, drawn inwards.
+// Several loops of one leaf, nested in it.
+#include "extract/embed/nested_loops.h"
+
 #include <gtest/gtest.h>
 
 #include <map>
 
-#include "extract/embed/layers.h"
 #include "kdmanifold/mesh.h"
 #include "support/contours.h"
 #include "support/dual_mesh_check.h"
@@ -80,7 +81,7 @@ struct Cones {
   std::map<std::pair<Index, Index>, Index> half_edges_;
 };
 
-TEST(DrawInwards, KeepsAllApart) {
+TEST(NestedLoops, KeepsAllApart) {
   std::uint64_t before = 0;
   for (std::uint32_t seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE(seed);
@@ -89,7 +90,7 @@ TEST(DrawInwards, KeepsAllApart) {
     check::expect_sound(cones.mesh);
     const Index triangles = cones.mesh.triangles();
     before += find_self_intersections(cones.within(triangles)).pairs;
-    ASSERT_TRUE(draw_inwards(cones.box, cones.loops, cones.mesh, cones.log));
+    ASSERT_TRUE(nest_loops(cones.box, cones.loops, cones.mesh, cones.log));
     check::expect_sound(cones.mesh);
     const Mesh surface = cones.within(triangles);
     EXPECT_TRUE(check::is_manifold(surface));
@@ -106,12 +107,12 @@ TEST(DrawInwards, KeepsAllApart) {
   EXPECT_GT(before, 1000u);
 }
 
-TEST(DrawInwards, NeedsRoom) {
+TEST(NestedLoops, NeedsRoom) {
   check::Contours input = check::random_contours(2, 1);
   Cones cones(input);
   cones.box.hi[2] = cones.box.lo[2] + 8;
   const Index triangles = cones.mesh.triangles();
-  EXPECT_FALSE(draw_inwards(cones.box, cones.loops, cones.mesh, cones.log));
+  EXPECT_FALSE(nest_loops(cones.box, cones.loops, cones.mesh, cones.log));
   EXPECT_EQ(cones.mesh.triangles(), triangles);
 }
 

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// Record of the pairs of triangles that cross or touch, and of triangles without area, kept up to
+// date while a mesh changes.
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "extract/embed/leaf_tree.h"
+#include "extract/embed/leaf_triangles.h"
+#include "extract/embed/pair_test.h"
+#include "extract/embed/suspects.h"
+
+namespace kdm {
+
+/// Finds and keeps all pairs of triangles of a mesh that cross or touch where they share nothing.
+/// Tests only pairs with a suspect (suspects.h), and of these only pairs that may lie in one leaf.
+class CrossingPairs {
+ public:
+  /// `loops` is the mesh of one triangle a hit from which the mesh was made, with the loops of
+  /// leaves found; `log` says what was done to it since. Both must outlive this object.
+  CrossingPairs(const GridView& view, const DualMesh& loops, const EditLog& log);
+
+  /// Finds all pairs of the mesh. Its vertices must be rounded to what 32 bits hold in model units.
+  /// To be called once, before `update`.
+  void find(const DualMesh& mesh);
+  /// Finds what has changed since, if only triangles of these hits have: the result is that of
+  /// `find`. Besides a pass over all triangles takes time only for the hits and their surroundings.
+  void update(const DualMesh& mesh, const std::vector<HitId>& hits);
+
+  /// Lists the triangles of all pairs and those without area; ascending.
+  std::vector<TriangleId> triangles() const;
+  /// Counts the pairs.
+  std::uint64_t pairs() const { return pairs_.size(); }
+
+ private:
+  void forget_changed(const DualMesh& mesh);
+  void test_around(const DualMesh& mesh, TriangleId suspect);
+  void test_against_suspects(const DualMesh& mesh, TriangleId enclosed);
+
+  const DualMesh& loops_;
+  Suspects suspects_;
+  LeafTree leaf_tree_;
+  LeafTriangles leaf_triangles_;
+  PairTest pair_test_;
+  std::vector<TriangleId> last_tested_with_;  // per triangle: with which it was last tested
+  std::vector<std::pair<TriangleId, TriangleId>> pairs_;
+  std::vector<TriangleId> flat_triangles_;  // without area
+};
+
+}  // namespace kdm

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// Exact tests of pairs, with quick ones before them.
+#include "extract/embed/pair_test.h"
+
+#include <cmath>
+
+#include "extract/mend/triangle_shape.h"
+#include "geometry/triangle_triangle.h"
+
+namespace kdm {
+namespace {
+
+// The exact test takes coordinates of about one. The scale is a power of two, so it rounds nothing.
+double scale_for(const Lattice& lattice) {
+  int exponent = 0;
+  std::frexp(lattice.origin.cwiseAbs().maxCoeff() + lattice.step * kLatticeSize, &exponent);
+  return std::ldexp(1.0, -exponent);
+}
+
+}  // namespace
+
+PairTest::PairTest(const GridView& view) : view_(view), scale_(scale_for(view.grid.lattice)) {}
+
+void PairTest::update(const DualMesh& mesh) {
+  rounded_positions_.resize(mesh.position.size());
+  fan_was_tested_.assign(mesh.vertices());
+  fan_is_simple_.assign(mesh.vertices());
+}
+
+void PairTest::read_corners(const DualMesh& mesh, TriangleId t) {
+  for (const VertexId v : corner_numbers(mesh, t)) {
+    rounded_positions_[v] = scale_ * single_precision(view_.grid.lattice, mesh.position[v]);
+  }
+}
+
+CachedTriangle PairTest::cached(const DualMesh& mesh, TriangleId t) const {
+  const Triangle numbers = corner_numbers(mesh, t);
+  return {numbers, corners(numbers)};
+}
+
+bool PairTest::meet(const DualMesh& mesh, const CachedTriangle& triangle, TriangleId other) {
+  const Triangle numbers = corner_numbers(mesh, other);
+  const VertexId shared = triangle.shared_corner(numbers);
+  if (shared != kNone
+          ? fan_is_simple(mesh, shared)
+          : triangle.surely_apart(rounded_positions_[numbers[0]], rounded_positions_[numbers[1]],
+                                  rounded_positions_[numbers[2]])) {
+    return false;
+  }
+  return TriangleCrossing<RealKernel>::test(triangle.corners(), triangle.numbers(),
+                                            corners(numbers), numbers);
+}
+
+bool PairTest::has_no_area(const DualMesh& mesh, TriangleId t) const {
+  const auto [a, b, c] = corners(corner_numbers(mesh, t));
+  return is_flat(a, b, c);
+}
+
+bool PairTest::fan_is_simple(const DualMesh& mesh, VertexId v) {
+  if (!fan_was_tested_.test_and_set(v)) fan_is_simple_.set(v, find_if_fan_is_simple(mesh, v));
+  return fan_is_simple_.test(v);
+}
+
+// Looks along the sum of the normals of the hits round the vertex. Triangles that are turned the
+// right way take less than half a turn each, so the ring of their outer sides runs round the vertex
+// as often as it rises from below a line through the vertex to above it. If that is once, the
+// triangles lie beside each other.
+bool PairTest::find_if_fan_is_simple(const DualMesh& mesh, VertexId v) const {
+  // The least area of a triangle seen along the normal, as a part of the squares of its sides: far
+  // more than what rounding does to areas.
+  constexpr double kLeastArea = 1e-6;
+  if (mesh.on_boundary(v)) return false;
+  Vec3 normal = Vec3::Zero();
+  for (const HalfEdgeId h : mesh.ring(v)) normal += view_.grid.plane_of(mesh.hit[h / 3]).normal;
+  int axis = 0;
+  normal.cwiseAbs().minCoeff(&axis);
+  const Vec3 upwards = normal.cross(Vec3::Unit(axis));
+  const double size = normal.cwiseAbs().sum();
+  const Vec3& apex = mesh.position[v];
+  int rises = 0;
+  for (const HalfEdgeId h : mesh.ring(v)) {
+    const Vec3 a = mesh.position[mesh.end_vertex(h)] - apex;
+    const Vec3 b = mesh.position[mesh.vertex[previous_in_triangle(h)]] - apex;
+    const double area = a.cross(b).dot(normal);
+    if (!(area > kLeastArea * size * (a.squaredNorm() + b.squaredNorm()))) return false;
+    rises += upwards.dot(a) < 0 && upwards.dot(b) >= 0 ? 1 : 0;
+  }
+  return rises == 1;
+}
+
+}  // namespace kdm
