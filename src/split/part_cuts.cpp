@@ -41,7 +41,7 @@ bool PartCuts::all_small(std::span<const ListEntry> entries) const {
                      [&](const ListEntry& entry) { return small_[entry.triangle] != 0; });
 }
 
-bool PartCuts::crowded(std::span<const ListEntry> entries) const {
+bool PartCuts::has_many_parts(std::span<const ListEntry> entries) const {
   std::array<Index, kFewParts> met;
   std::size_t count = 0;
   for (const ListEntry& entry : entries) {

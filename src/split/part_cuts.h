@@ -22,7 +22,7 @@ class PartCuts {
   /// Are the triangles of parts with few triangles only?
   bool all_small(std::span<const ListEntry> entries) const;
   /// Are they of more parts than a window with its frame is?
-  bool crowded(std::span<const ListEntry> entries) const;
+  bool has_many_parts(std::span<const ListEntry> entries) const;
 
   /// The plane clear of all triangles that leaves the most of them on either side; nothing if
   /// there is none, or the triangles are all of one part.

@@ -111,11 +111,11 @@ std::unique_ptr<SplitRule> make_split_rule(const Surface& surface, const BuildOp
     case SplitStrategy::kMedian:
       return std::make_unique<MedianRule>(surface, depth);
     case SplitStrategy::kOctree:
-      return make_adaptive_rule(surface, tolerance, depth, SplitPlacing::kInTurn);
+      return make_adaptive_rule(surface, tolerance, depth, CutPosition::kInTurn);
     case SplitStrategy::kFeature:
-      return make_adaptive_rule(surface, tolerance, depth, SplitPlacing::kFeature);
+      return make_adaptive_rule(surface, tolerance, depth, CutPosition::kFeature);
     case SplitStrategy::kAdaptive:
-      return make_adaptive_rule(surface, tolerance, depth, SplitPlacing::kHalving);
+      return make_adaptive_rule(surface, tolerance, depth, CutPosition::kHalving);
   }
   return nullptr;
 }

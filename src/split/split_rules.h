@@ -70,7 +70,7 @@ class SplitRule {
 std::optional<Split> midpoint_in_turn(const LatticeBox& box, int depth);
 
 /// Where the adaptive rule splits a cell that does not fit.
-enum class SplitPlacing {
+enum class CutPosition {
   kHalving,  ///< in the middle of its longest side
   kInTurn,   ///< in the middle, x, y, z in turn: an octree
   kFeature   ///< through or near features, paper 5.1.2 (2)
@@ -80,6 +80,6 @@ enum class SplitPlacing {
 std::unique_ptr<SplitRule> make_split_rule(const Surface& surface, const BuildOptions& options,
                                            double tolerance, int depth);
 std::unique_ptr<SplitRule> make_adaptive_rule(const Surface& surface, double tolerance, int depth,
-                                              SplitPlacing placing);
+                                              CutPosition position);
 
 }  // namespace kdm

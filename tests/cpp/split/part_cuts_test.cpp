@@ -4,12 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "grid/grid_data.h"
 #include "kdmanifold/build.h"
 #include "kdmanifold/extract.h"
-#include "split/cell_analysis.h"
 #include "support/mesh_assert.h"
 #include "support/shapes.h"
 
@@ -85,29 +82,6 @@ TEST(PartCuts, ALargePartIsNotSmall) {
   EXPECT_FALSE(cuts.all_small(all.first(kSphere)));
   EXPECT_TRUE(cuts.all_small(all.subspan(kSphere)));
   EXPECT_FALSE(cuts.all_small(all));
-}
-
-// The bounds are those of one curve, not of all that the face cuts, nor of the triangles.
-TEST(PartCuts, AClosedCurveHasItsOwnBounds) {
-  const Mesh bar = shapes::rotated(box(Vec3(-1, -2, -20), Vec3(1, 2, 20)), Vec3::UnitY(), 0.5);
-  Listed list(merged({bar, shapes::translated(bar, Vec3(8, 0, 0))}));
-  LatticeBox cell;
-  cell.lo[2] = static_cast<std::int32_t>(list.surface.lattice.to_lattice(Vec3::Zero()).z());
-  CellAnalysis analysis(list.surface);
-  const CellCrossings crossings;
-  const TriangleLists::Children lists = list.lists.divide(list.lists.all(), 2, cell.lo[2]);
-  analysis.find_pieces(cell, list.lists.entries(lists.above), crossings);
-  ASSERT_EQ(analysis.pieces().size(), 2u);
-  const std::optional<ClosedCurve> curve = analysis.find_closed_curve();
-  ASSERT_TRUE(curve);
-  EXPECT_EQ(curve->axis, 2);
-  const double wide = 1 / std::cos(0.5);
-  const Vec3 lo = list.surface.lattice.to_lattice(Vec3(-wide, -2, 0));
-  const Vec3 hi = list.surface.lattice.to_lattice(Vec3(wide, 2, 0));
-  for (int axis = 0; axis < 2; ++axis) {
-    EXPECT_NEAR(curve->bounds.lo[axis], lo[axis], 4.0) << axis;
-    EXPECT_NEAR(curve->bounds.hi[axis], hi[axis], 4.0) << axis;
-  }
 }
 
 TEST(PartCuts, ABoxTakesItsTwelveTriangles) {

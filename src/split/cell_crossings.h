@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// The crossings on the twelve edges of one cell.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "geometry/predicates.h"
+#include "split/split_rules.h"
+
+namespace kdm {
+
+/// A crossing on one of the cell's edges.
+struct CellCrossing {
+  LinePosition position;  ///< along the edge
+  TriangleId triangle;
+  int edge;   ///< which of the cell's twelve, numbered as `cell_edge` does
+  bool kept;  ///< the crossing bounds the solid: it will be a hit
+};
+
+/// The crossings on a cell's edges, edge after edge, and how many of them lie around each face.
+struct CellCrossings {
+  std::vector<CellCrossing> all;
+  std::array<std::array<Index, 2>, 3> around_face{};  ///< by the face's axis; 0: low side, 1: high
+  Index kept = 0;
+
+  /// Replaces the contents by the crossings of the given cell.
+  void collect(const CellView& cell);
+  /// Tells whether some crossings will not be hits. This happens where shells cross and where one
+  /// lies within another.
+  bool some_dropped() const { return kept < all.size(); }
+};
+
+/// Returns the point of a crossing on an edge of the box, in lattice units.
+Vec3 crossing_point(const CellCrossing& crossing, const LatticeBox& box);
+
+/// Tells whether an edge of a cell belongs to the outline of the face normal to `axis` at the
+/// cell's low or high side.
+bool edge_bounds_face(int edge, int axis, bool high);
+
+}  // namespace kdm

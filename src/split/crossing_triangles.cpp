@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "split/crossing_triangles.h"
+
+#include <algorithm>
+
+#include "geometry/triangle_box.h"
+#include "geometry/triangle_triangle.h"
+#include "mesh/box_tree.h"
+
+namespace kdm {
+namespace {
+
+// Up to this many members a sweep is fast enough.
+constexpr Index kMaxSweepMembers = 1024;
+
+// Tells whether some part of the polygon lies on the plane or within rounding of it: planes are
+// those before rounding, which moves a triangle by less than a lattice unit.
+bool reaches_plane(const ClippedPolygon& polygon, const Plane& plane) {
+  bool above = false;
+  bool below = false;
+  for (int i = 0; i < polygon.size; ++i) {
+    const double distance = plane.signed_distance(polygon.corners[i]);
+    above = above || distance > -1;
+    below = below || distance < 1;
+  }
+  return above && below;
+}
+
+bool members_cross(const CellTriangles& triangles, MemberId i, MemberId j) {
+  const Surface& surface = triangles.surface();
+  const LatticeBox& bounds_i = triangles.bounds(i);
+  const LatticeBox& bounds_j = triangles.bounds(j);
+  for (int k = 0; k < 3; ++k) {
+    if (bounds_i.lo[k] > bounds_j.hi[k] || bounds_j.lo[k] > bounds_i.hi[k]) return false;
+  }
+  const TriangleId a = triangles.triangle(i);
+  const TriangleId b = triangles.triangle(j);
+  if (surface.degenerate.test(a) || surface.degenerate.test(b)) return false;
+  if (!TriangleCrossing<LatticeKernel>::test(surface.triangles[a], surface.corners[a],
+                                             surface.triangles[b], surface.corners[b])) {
+    return false;
+  }
+  // The triangles as wholes cross; they may do so outside of the cell.
+  const LatticeBox& cell = triangles.cell();
+  return reaches_plane(clip_to_box(surface.triangles[a], cell), surface.planes[b]) &&
+         reaches_plane(clip_to_box(surface.triangles[b], cell), surface.planes[a]);
+}
+
+bool exist_by_tree(const CellTriangles& triangles) {
+  std::vector<Box> boxes;
+  boxes.reserve(triangles.size());
+  for (MemberId m = 0; m < triangles.size(); ++m) {
+    boxes.push_back({to_vec3(triangles.bounds(m).lo), to_vec3(triangles.bounds(m).hi)});
+  }
+  bool cross = false;
+  BoxTree(boxes).for_each_pair(
+      [&](MemberId i, MemberId j) { cross = cross || members_cross(triangles, i, j); });
+  return cross;
+}
+
+}  // namespace
+
+bool CrossingTriangles::exist_in(const CellTriangles& triangles) {
+  if (triangles.size() > kMaxSweepMembers) return exist_by_tree(triangles);
+  const int axis = longest_axis(triangles.cell());
+  by_lower_bound_.clear();
+  for (MemberId m = 0; m < triangles.size(); ++m) {
+    by_lower_bound_.emplace_back(triangles.bounds(m).lo[axis], m);
+  }
+  std::sort(by_lower_bound_.begin(), by_lower_bound_.end());
+  for (std::size_t i = 0; i < by_lower_bound_.size(); ++i) {
+    const MemberId first = by_lower_bound_[i].second;
+    for (std::size_t j = i + 1; j < by_lower_bound_.size(); ++j) {
+      if (by_lower_bound_[j].first > triangles.bounds(first).hi[axis]) break;
+      if (members_cross(triangles, first, by_lower_bound_[j].second)) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace kdm

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include "split/fit_check.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/distance.h"
+#include "geometry/quadric.h"
+#include "geometry/triangle_box.h"
+#include "prepare/rim.h"
+
+namespace kdm {
+namespace {
+
+// An edge is sharp if its faces' normals differ by more than 45 degrees.
+constexpr double kSharpCosine = 0.7071067811865476;
+// A vertex keeps to a sharp edge within this fraction of the tolerance. The rest is left for the
+// hits which splits of neighbouring cells will add, and which move the vertex a little.
+constexpr double kSharpEdgeShare = 0.9;
+// The planes through a rim weigh as much as this many planes of hits, however many they are.
+constexpr double kRimWeight = 2;
+
+}  // namespace
+
+bool FitCheck::is_clear_misfit(const LatticeBox& box, std::span<const ListEntry> entries,
+                               const CellCrossings& crossings) {
+  if (hits_.empty()) return crossings.all.empty();
+  for (const ListEntry& entry : entries) {
+    for (const LatticePoint& p : surface_.triangles[entry.triangle]) {
+      if (!vertex_in_box(p, box)) continue;
+      if (!hits_.meets_a_plane(to_vec3(p), kAllPieces, tolerance_)) return true;
+    }
+  }
+  return false;
+}
+
+bool FitCheck::pieces_fit(const CellSurface& cell, LeafVertices vertices) {
+  hits_.assign_pieces(cell);
+  const std::span<const Piece> pieces = cell.pieces.all();
+  for (PieceId i = 0; i < pieces.size(); ++i) {
+    if (pieces[i].kept == 0) continue;
+    const bool one_for_all = vertices == LeafVertices::kOneForAll;
+    if (!piece_fits_vertex(cell, one_for_all ? kAllPieces : i)) return false;
+    if (one_for_all) break;
+  }
+  return corners_meet_planes(cell, vertices);
+}
+
+bool FitCheck::corners_meet_planes(const CellSurface& cell, LeafVertices vertices) {
+  for (MemberId m = 0; m < cell.triangles.size(); ++m) {
+    const PieceId own = cell.pieces.piece_of(m);
+    if (cell.pieces.all()[own].kept == 0) continue;
+    const PieceId piece = vertices == LeafVertices::kOneForAll ? kAllPieces : own;
+    const ClippedPolygon part = clip_to_box(cell.triangles.corners(m), cell.triangles.cell());
+    for (int i = 0; i < part.size; ++i) {
+      if (!hits_.meets_a_plane(part.corners[i], piece, tolerance_)) return false;
+    }
+  }
+  return true;
+}
+
+bool FitCheck::piece_fits_vertex(const CellSurface& cell, PieceId piece) {
+  find_triangles(cell, piece);
+  find_rim(cell, piece);
+  const LatticeBox& box = cell.triangles.cell();
+  const Vec3 vertex = planned_vertex(box, piece);
+  return is_near_planes(vertex) && is_near_triangles(vertex) && is_near_sharp_edge(vertex, box);
+}
+
+// Finds the triangles that the piece's vertex will stand for.
+void FitCheck::find_triangles(const CellSurface& cell, PieceId piece) {
+  triangles_.clear();
+  for (MemberId m = 0; m < cell.triangles.size(); ++m) {
+    const PieceId own = cell.pieces.piece_of(m);
+    const bool shares = piece == kAllPieces || own == piece;
+    if (shares && cell.pieces.all()[own].kept > 0) triangles_.push_back(cell.triangles.triangle(m));
+  }
+}
+
+// Finds the planes through the rim of the piece, and the centre of the rim.
+void FitCheck::find_rim(const CellSurface& cell, PieceId piece) {
+  rim_planes_.clear();
+  rim_centre_ = Vec3::Zero();
+  for (const SideId side : cell.pieces.rim_sides()) {
+    if (piece != kAllPieces && cell.piece_of_rim(side) != piece) continue;
+    rim_planes_.push_back(rim_plane(surface_, side, surface_.planes[triangle_of(side)].normal));
+    rim_centre_ += rim_middle(surface_, side, cell.triangles.cell());
+  }
+  if (!rim_planes_.empty()) rim_centre_ /= static_cast<double>(rim_planes_.size());
+}
+
+Vec3 FitCheck::planned_vertex(const LatticeBox& box, PieceId piece) const {
+  Vec3 centre = rim_centre_;
+  if (rim_planes_.empty()) {
+    Vec3 sum = Vec3::Zero();
+    int count = 0;
+    hits_.for_each_of(piece, [&](const PlannedHit& hit) {
+      sum += hit.point;
+      ++count;
+    });
+    centre = sum / count;
+  }
+  PrimalQuadric quadric(centre);
+  hits_.for_each_of(piece, [&](const PlannedHit& hit) { quadric.add(*hit.plane); });
+  for (const Plane& plane : rim_planes_) {
+    const double weight = std::sqrt(kRimWeight / static_cast<double>(rim_planes_.size()));
+    quadric.add({weight * plane.normal, weight * plane.offset});
+  }
+  const auto largest_distance = [&](const Vec3& x) {
+    double largest = 0;
+    hits_.for_each_of(
+        piece, [&](const PlannedHit& hit) { largest = std::max(largest, hit.plane->distance(x)); });
+    for (const Plane& plane : rim_planes_) largest = std::max(largest, plane.distance(x));
+    return largest;
+  };
+  return minimiser_within(quadric, to_vec3(box.lo), to_vec3(box.hi), tolerance_, largest_distance)
+      .point;
+}
+
+bool FitCheck::is_near_planes(const Vec3& vertex) const {
+  return std::all_of(
+             triangles_.begin(), triangles_.end(),
+             [&](TriangleId t) { return surface_.planes[t].distance(vertex) <= tolerance_; }) &&
+         std::all_of(rim_planes_.begin(), rim_planes_.end(),
+                     [&](const Plane& plane) { return plane.distance(vertex) <= tolerance_; });
+}
+
+bool FitCheck::is_near_triangles(const Vec3& vertex) const {
+  return std::any_of(triangles_.begin(), triangles_.end(), [&](TriangleId t) {
+    const auto& [a, b, c] = surface_.triangles[t];
+    return squared_distance(vertex, to_vec3(a), to_vec3(b), to_vec3(c)) <= tolerance_ * tolerance_;
+  });
+}
+
+// A vertex within the tolerance of two faces may be further from the edge between them. Tells
+// whether the vertex is near a sharp edge of the piece, or beside none.
+bool FitCheck::is_near_sharp_edge(const Vec3& vertex, const LatticeBox& box) const {
+  const double limit = kSharpEdgeShare * tolerance_;
+  bool beside = false;
+  for (const TriangleId triangle : triangles_) {
+    for (int i = 0; i < 3; ++i) {
+      const SideId opposite = surface_.topology.opposite[3 * triangle + static_cast<Index>(i)];
+      if (opposite == kNone) continue;
+      const Vec3& normal = surface_.planes[triangle].normal;
+      if (normal.dot(surface_.planes[triangle_of(opposite)].normal) >= kSharpCosine) continue;
+      const LatticePoint& a = surface_.triangles[triangle][i];
+      const LatticePoint& b = surface_.triangles[triangle][next_corner(i)];
+      if (!edge_meets_box(a, b, box)) continue;
+      const Vec3 along = to_vec3(b) - to_vec3(a);
+      const double foot = along.dot(vertex - to_vec3(a)) / along.squaredNorm();
+      if (foot < 0 || foot > 1) continue;
+      if ((to_vec3(a) + foot * along - vertex).squaredNorm() <= limit * limit) return true;
+      beside = true;
+    }
+  }
+  return !beside;
+}
+
+}  // namespace kdm

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#include "split/vertex_counter.h"
+
+#include "geometry/triangle_box.h"
+
+namespace kdm {
+
+VertexCounter::VertexCounter(const Surface& surface) {
+  PointId last = 0;
+  for (const Triangle& t : surface.corners) last = std::max({last, t[0], t[1], t[2]});
+  last_count_.assign(std::size_t{last} + 1, 0);
+  if (!surface.has_rims()) return;
+  on_rim_.assign(std::size_t{last} + 1);
+  for (SideId side = 0; side < surface.topology.opposite.size(); ++side) {
+    if (surface.topology.opposite[side] != kNone) continue;
+    const Triangle& t = surface.corners[triangle_of(side)];
+    on_rim_.set(t[corner_of(side)]);
+    on_rim_.set(t[next_corner(corner_of(side))]);
+  }
+}
+
+Index VertexCounter::count_inner(const CellTriangles& triangles) {
+  const Surface& surface = triangles.surface();
+  Index inner = 0;
+  ++counts_;
+  for (const TriangleId triangle : triangles.all()) {
+    for (int i = 0; i < 3; ++i) {
+      const PointId point = surface.corners[triangle][i];
+      if (last_count_[point] == counts_) continue;
+      if (!vertex_in_box(surface.triangles[triangle][i], triangles.cell())) continue;
+      last_count_[point] = counts_;
+      if (on_rim_.empty() || !on_rim_.test(point)) ++inner;
+    }
+  }
+  return inner;
+}
+
+}  // namespace kdm
