@@ -49,6 +49,8 @@ TEST(Restore, LeavesTheRest) {
   for (Index h = 0; h < stage.grid.hits.size(); h += 40)
     stage.levels.hits[h] = EmbedLevel::kHitVertices;
   stage.make();
+  // Leaves that hold several loops would tie 155 of the 176 hits of this small grid together.
+  stage.loops.next_loop_in_leaf.clear();
   const DualMesh before = stage.mesh;
   const Restored part = restore(stage.loops, {0}, stage.mesh, stage.log);
   ASSERT_LT(part.hits.size(), stage.grid.hits.size() / 2);
