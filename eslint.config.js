@@ -3,9 +3,11 @@ import js from '@eslint/js';
 import ts from 'typescript-eslint';
 
 const node = {
+  AbortController: 'readonly',
   Buffer: 'readonly',
   URL: 'readonly',
   console: 'readonly',
+  fetch: 'readonly',
   performance: 'readonly',
   process: 'readonly',
   setTimeout: 'readonly',
@@ -48,7 +50,6 @@ export default ts.config(
     languageOptions: {
       globals: {
         ...node,
-        AbortController: 'readonly',
         TextEncoder: 'readonly',
         afterAll: 'readonly',
         afterEach: 'readonly',
@@ -57,7 +58,6 @@ export default ts.config(
         describe: 'readonly',
         document: 'readonly',
         expect: 'readonly',
-        fetch: 'readonly',
         test: 'readonly',
         window: 'readonly',
       },

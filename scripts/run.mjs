@@ -42,7 +42,7 @@ export function output(command, args, options = {}) {
   return result.stdout;
 }
 
-/** Installs what the groups (`wasm`, `native`, `test`) need and this machine lacks. */
+/** Installs what the groups (see there) need and this machine lacks. */
 export function setup(...groups) {
   run('sh', ['scripts/setup.sh', ...groups]);
 }

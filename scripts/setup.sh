@@ -3,7 +3,7 @@
 # Installs what is missing, and only that: Debian packages for the given groups, and the npm packages
 # of the lock file. Called by every npm script; does nothing, quickly, when all is there.
 #
-#   scripts/setup.sh [wasm] [native] [test] [house]      (default: the first three)
+#   scripts/setup.sh [wasm] [native] [test] [house] [fresh]   (default: the first three)
 set -eu
 cd "$(dirname "$0")/.."
 
@@ -13,6 +13,7 @@ native='cmake ninja-build g++ libeigen3-dev libfast-float-dev libfmt-dev libcli1
 tests='clang libclang-rt-14-dev clang-format clang-tidy libgtest-dev libbenchmark-dev doxygen
   chromium fonts-dejavu-core'
 house='universal-ctags'
+fresh='debootstrap'
 
 [ $# -gt 0 ] || set -- wasm native test
 wanted=
@@ -22,7 +23,8 @@ for group in "$@"; do
     native) wanted="$wanted $native" ;;
     test) wanted="$wanted $tests" ;;
     house) wanted="$wanted $house" ;;
-    *) echo "setup: unknown group '$group' (wasm, native, test, house)" >&2; exit 2 ;;
+    fresh) wanted="$wanted $fresh" ;;
+    *) echo "setup: unknown group '$group' (wasm, native, test, house, fresh)" >&2; exit 2 ;;
   esac
 done
 
