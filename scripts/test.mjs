@@ -99,6 +99,8 @@ const release = [
   ['CMAKE_BUILD_TYPE=Release', 'KDM_WERROR=ON', 'KDM_BUILD_TESTS=ON'],
 ];
 
+const oneDefinition = ['build/odr', ['CMAKE_BUILD_TYPE=None', 'KDM_ODR=ON']];
+
 const parts = {
   lint() {
     check('format, lint and types', process.execPath, ['scripts/lint.mjs']);
@@ -123,6 +125,11 @@ const parts = {
         stdio: ['ignore', 'inherit', 'ignore'],
       },
     );
+  },
+  // No function, class or template of one name may be two: which is linked would be chance.
+  odr() {
+    cmake(...oneDefinition, { targets: ['kdmanifold_cli'] });
+    check('one definition of each name', process.execPath, ['tests/odr/check.mjs', 'build/odr']);
   },
   async release() {
     cmake(...release, { targets: ['kdmanifold_tests'] });
