@@ -7,7 +7,7 @@ import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { load } from '../../../dist/index.js';
 import { output } from '../../../scripts/run.mjs';
-import { closedModels, contentOf, median, nameOf, printTable, sizes } from '../shared.mjs';
+import { closedModels, contentOf, median, nameOf, printTable, sizes } from '../../bench/shared.mjs';
 
 const repeat = 5;
 

@@ -5,7 +5,7 @@
 // the same limit. Errors are fractions of the diagonal, both ways.
 import { join } from 'node:path';
 import { output } from '../../../scripts/run.mjs';
-import { measure, meshToMesh, nameOf, native, printTable, twoSided } from '../shared.mjs';
+import { measure, meshToMesh, nameOf, native, printTable, twoSided } from '../../bench/shared.mjs';
 
 const models = ['fandisk.obj', 'casting.off', 'dragon_48k.ply'];
 const scene = 'street_apart_88k';

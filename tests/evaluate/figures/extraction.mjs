@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Extraction alone: triangles a second, natively and in WebAssembly, and the share of its phases
 // natively. Medians of five; nothing to hold.
-import { runWasm } from '../engines.mjs';
-import { closedModels, contentOf, median, nameOf, native, printTable, sizes } from '../shared.mjs';
+import { runWasm } from '../../bench/engines.mjs';
+import { closedModels, contentOf, median, nameOf, native, printTable, sizes } from '../../bench/shared.mjs';
 
 const phases = ['loops', 'vertices', 'faces'];
 const repeat = 5;

@@ -9,7 +9,7 @@ import { join, resolve } from 'node:path';
 import { builders } from '../../scripts/build.mjs';
 import { root, setup } from '../../scripts/run.mjs';
 import { serve } from '../js/support/server.js';
-import { commandLine, modelFiles, nameOf } from './shared.mjs';
+import { commandLine, modelFiles, nameOf } from '../bench/shared.mjs';
 
 const sides = ['corner', 'front', 'right', 'back', 'left', 'above', 'below'];
 const viewport = { width: 1280, height: 800 };

@@ -3,8 +3,8 @@
 // cells of the grid. `octree` at 64 cells an axis (depth 18), not stopped by any tolerance, must
 // stay within 0.05; meshoptimizer's remesher at 64 stands beside it.
 import { load } from '../../../dist/index.js';
-import { meshoptimizer } from '../engines.mjs';
-import { printTable } from '../shared.mjs';
+import { meshoptimizer } from '../../bench/engines.mjs';
+import { printTable } from '../../bench/shared.mjs';
 
 const cellsPerAxis = 64;
 const limit = 0.05;

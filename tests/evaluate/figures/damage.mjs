@@ -5,7 +5,7 @@
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { load } from '../../../dist/index.js';
-import { contentOf, measure, nameOf, printTable, randomNumbers } from '../shared.mjs';
+import { contentOf, measure, nameOf, printTable, randomNumbers } from '../../bench/shared.mjs';
 
 const models = ['armadillo_86k.ply'];
 const relativeTolerance = 0.002;

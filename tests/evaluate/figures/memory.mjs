@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Bytes of the grid, and the most that the whole process ever holds (input and result included),
 // for each triangle of the result. The aim is a grid of at most 150.
-import { nameOf, native, printTable } from '../shared.mjs';
+import { nameOf, native, printTable } from '../../bench/shared.mjs';
 
 const models = [
   'fandisk.obj',

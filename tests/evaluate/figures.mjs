@@ -7,7 +7,7 @@
 // `--ref INPUT`) and prints JSON. Exit status 1 if a figure does not hold.
 import { writeFileSync } from 'node:fs';
 import { builders } from '../../scripts/build.mjs';
-import { buildTools, commandLine, modelFiles, nameOf, withFolder } from './shared.mjs';
+import { buildTools, commandLine, modelFiles, nameOf, withFolder } from '../bench/shared.mjs';
 
 const sections = [
   'manifold',

@@ -4,7 +4,7 @@
 // if there is one, by the judge. Distances are fractions of the input's bounding-box diagonal.
 import { join } from 'node:path';
 import { output } from '../../../scripts/run.mjs';
-import { measure, meshToMesh, nameOf, native, printTable, twoSided } from '../shared.mjs';
+import { measure, meshToMesh, nameOf, native, printTable, twoSided } from '../../bench/shared.mjs';
 
 const models = ['fandisk.obj', 'armadillo_86k.ply', 'casting.off', 'horse_quad.obj'];
 const scenes = ['thin_box', 'nested_spheres', 'torus_chain'];

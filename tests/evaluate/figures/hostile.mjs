@@ -8,7 +8,7 @@ import { spawnSync } from 'node:child_process';
 import { join } from 'node:path';
 import { builders } from '../../../scripts/build.mjs';
 import { root } from '../../../scripts/run.mjs';
-import { measure, printTable, randomNumbers } from '../shared.mjs';
+import { measure, printTable, randomNumbers } from '../../bench/shared.mjs';
 
 const mostSeconds = 120;
 const refused = 2; // the exit status

@@ -6,8 +6,8 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { load } from '../../../dist/index.js';
 import { output, tryRun } from '../../../scripts/run.mjs';
-import { runWasm } from '../engines.mjs';
-import { contentOf, median, nameOf } from '../shared.mjs';
+import { runWasm } from '../../bench/engines.mjs';
+import { contentOf, median, nameOf } from '../../bench/shared.mjs';
 
 export default async function manifold({ files, tools, folder, judge }) {
   const kdm = await load();

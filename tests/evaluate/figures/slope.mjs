@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Seconds against input triangles: the Fandisk with its triangles cut in four, again and again, no
 // point moved. The line through median-of-five seconds on log-log axes must rise by at most 1.1.
-import { meshToMesh, native, printTable } from '../shared.mjs';
+import { meshToMesh, native, printTable } from '../../bench/shared.mjs';
 
 const settings = [
   { strategy: 'adaptive', relativeTolerance: 0.002 },

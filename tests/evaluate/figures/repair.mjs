@@ -7,8 +7,8 @@ import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { load } from '../../../dist/index.js';
 import { output } from '../../../scripts/run.mjs';
-import { meshoptimizer } from '../engines.mjs';
-import { contentOf, measure, meshToMesh, nameOf, native, printTable } from '../shared.mjs';
+import { meshoptimizer } from '../../bench/engines.mjs';
+import { contentOf, measure, meshToMesh, nameOf, native, printTable } from '../../bench/shared.mjs';
 
 const setting = { strategy: 'adaptive', relativeTolerance: 0.002 };
 const remeshCells = 128;
