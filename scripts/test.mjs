@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // `npm test`: sets up, checks format, lint and types, builds and runs all tests, cheapest first, and
-// ends with the counts. `npm test -- PART...` runs some parts only.
+// ends with the counts. `npm test -- PART...` runs some parts only; `npm test -- quick` is for daily
+// work: one compiler, and without the slow tests, which tests/slow.json lists.
 import { spawn } from 'node:child_process';
 import { existsSync, mkdirSync, readFileSync, rmSync } from 'node:fs';
 import { builders, cmake, configure } from './build.mjs';
@@ -24,13 +25,14 @@ function check(title, command, args, options) {
 
 // GoogleTest, more shares of the tests than processors, so that none of these waits for the slowest;
 // its own JSON reports for the counts.
-async function googleTest(title, program) {
+async function googleTest(title, program, { without = [] } = {}) {
   console.log(`\n== ${title}`);
+  const chosen = `--gtest_filter=*${without.length > 0 ? `-${without.join(':')}` : ''}`;
   const shards = 8 * Number(jobs);
   const runShard = async (shard) => {
     const report = `${program}.${shard}.json`;
     rmSync(report, { force: true });
-    const child = spawn(program, ['--gtest_brief=1', `--gtest_output=json:${report}`], {
+    const child = spawn(program, ['--gtest_brief=1', chosen, `--gtest_output=json:${report}`], {
       cwd: root,
       stdio: 'inherit',
       env: { ...process.env, GTEST_TOTAL_SHARDS: shards, GTEST_SHARD_INDEX: shard },
@@ -146,14 +148,34 @@ const parts = {
   },
 };
 
+// Shorter forms of the above, which therefore are no parts of the whole.
+const extras = {
+  async quick() {
+    const slow = JSON.parse(readFileSync(`${root}/tests/slow.json`, 'utf8'));
+    parts.lint();
+    cmake(...release, { targets: ['kdmanifold_tests', 'kdmanifold_cli'] });
+    await googleTest(
+      'C++ tests but the slow ones, g++, optimised',
+      `${root}/build/release/tests/cpp/kdmanifold_tests`,
+      { without: slow.cpp },
+    );
+    builders.package();
+    jest('JavaScript tests but the slow ones', [
+      '--testPathIgnorePatterns',
+      ...slow.js.map((file) => `tests/js/${file}`),
+    ]);
+  },
+};
+
 setup('wasm', 'native', 'test');
 const wanted = process.argv.length > 2 ? process.argv.slice(2) : Object.keys(parts);
 for (const part of wanted) {
-  if (!(part in parts)) {
-    console.error(`test: unknown part '${part}' (${Object.keys(parts).join(', ')})`);
+  const known = { ...parts, ...extras };
+  if (!(part in known)) {
+    console.error(`test: unknown part '${part}' (${Object.keys(known).join(', ')})`);
     process.exit(2);
   }
-  await parts[part]();
+  await known[part]();
 }
 for (const what of failures) console.log(`FAILED: ${what}`);
 console.log(`\n${counts.passed} passed, ${counts.failed} failed`);
