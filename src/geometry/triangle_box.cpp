@@ -7,17 +7,30 @@
 namespace kdm {
 namespace {
 
-// Seen along `axis`, returns on which side of the edge from a to b that corner of the box lies
-// which is furthest to the given side (1: left, -1: right). Returns 0 only if the edge is seen as a
-// point.
-int side_of_furthest_corner(const LatticePoint& a, const LatticePoint& b, int axis,
-                            const LatticeBox& box, int side) {
+// On which sides of an edge the corners of a box lie, seen along an axis. An edge that is seen as a
+// point has them on both.
+struct CornerSides {
+  bool left;   // one corner at least lies to the left
+  bool right;  // one corner at least lies to the right
+};
+
+// Looks at the two corners that lie furthest to either side. `side_of_edge` has the formula.
+CornerSides sides_of_corners(const LatticePoint& a, const LatticePoint& b, int axis,
+                             const LatticeBox& box) {
   const int u = next_axis(axis);
   const int v = previous_axis(axis);
-  const std::int32_t du = (b[u] - a[u]) * side;
-  const std::int32_t dv = (b[v] - a[v]) * side;
+  const std::int64_t du = b[u] - a[u];
+  const std::int64_t dv = b[v] - a[v];
   // The area grows with pv where du > 0 and with pu where dv < 0.
-  return side_of_edge(a, b, axis, dv < 0 ? box.hi[u] : box.lo[u], du > 0 ? box.hi[v] : box.lo[v]);
+  const std::int32_t left_u = dv < 0 ? box.hi[u] : box.lo[u];
+  const std::int32_t left_v = du > 0 ? box.hi[v] : box.lo[v];
+  const std::int32_t right_u = dv < 0 ? box.lo[u] : box.hi[u];
+  const std::int32_t right_v = du > 0 ? box.lo[v] : box.hi[v];
+  const std::int64_t left = du * (left_v - a[v]) - dv * (left_u - a[u]);
+  const std::int64_t right = du * (right_v - a[v]) - dv * (right_u - a[u]);
+  // A corner on the edge's line is moved off it by the perturbation.
+  return {left != 0 ? left > 0 : side_of_edge(a, b, axis, left_u, left_v) >= 0,
+          right != 0 ? right < 0 : side_of_edge(a, b, axis, right_u, right_v) <= 0};
 }
 
 // Tells whether mesh vertices from `low` to `high` are all below or all above the box, on one axis.
@@ -37,13 +50,6 @@ int side_of_plane(const LatticeTriangle& t, const std::array<std::int64_t, 3>& n
 
 }  // namespace
 
-bool vertex_in_box(const LatticePoint& p, const LatticeBox& box) {
-  for (int i = 0; i < 3; ++i) {
-    if (below_plane(p[i], box.lo[i]) || !below_plane(p[i], box.hi[i])) return false;
-  }
-  return true;
-}
-
 bool edge_meets_box(const LatticePoint& a, const LatticePoint& b, const LatticeBox& box) {
   if (vertex_in_box(a, box) || vertex_in_box(b, box)) return true;
   for (int i = 0; i < 3; ++i) {
@@ -51,8 +57,8 @@ bool edge_meets_box(const LatticePoint& a, const LatticePoint& b, const LatticeB
     if (separated_by_interval(low, high, box.lo[i], box.hi[i])) return false;
   }
   for (int axis = 0; axis < 3; ++axis) {
-    if (side_of_furthest_corner(a, b, axis, box, 1) < 0) return false;
-    if (side_of_furthest_corner(a, b, axis, box, -1) > 0) return false;
+    const auto [left, right] = sides_of_corners(a, b, axis, box);
+    if (!left || !right) return false;
   }
   return true;
 }
@@ -80,8 +86,8 @@ bool triangle_meets_box(const LatticeTriangle& t, const LatticeBox& box) {
       const LatticePoint& b = t[i == 2 ? 0 : i + 1];
       // Seen against its normal the triangle lies to the left of its edges, seen edge-on it lies on
       // them.
-      if (side >= 0 && side_of_furthest_corner(a, b, axis, box, 1) < 0) return false;
-      if (side <= 0 && side_of_furthest_corner(a, b, axis, box, -1) > 0) return false;
+      const auto [left, right] = sides_of_corners(a, b, axis, box);
+      if ((side >= 0 && !left) || (side <= 0 && !right)) return false;
     }
   }
   return true;

@@ -14,7 +14,12 @@
 namespace kdm {
 
 /// Tells whether the mesh vertex is in the box.
-bool vertex_in_box(const LatticePoint& p, const LatticeBox& box);
+inline bool vertex_in_box(const LatticePoint& p, const LatticeBox& box) {
+  for (int i = 0; i < 3; ++i) {
+    if (below_plane(p[i], box.lo[i]) || !below_plane(p[i], box.hi[i])) return false;
+  }
+  return true;
+}
 /// Tells whether the mesh edge from a to b meets the box.
 bool edge_meets_box(const LatticePoint& a, const LatticePoint& b, const LatticeBox& box);
 /// Tells whether the triangle meets the box.

@@ -17,13 +17,9 @@ void PlannedHits::assign_pieces(const CellSurface& cell) {
   for (PlannedHit& hit : hits_) hit.piece = cell.piece_of_triangle(hit.triangle);
 }
 
-bool PlannedHits::meets_a_plane(const Vec3& point, PieceId piece, double distance) {
-  const auto meets = [&](std::size_t i) {
-    return is_of(hits_[i], piece) && hits_[i].plane->distance(point) <= distance;
-  };
-  if (last_plane_met_ < hits_.size() && meets(last_plane_met_)) return true;
+bool PlannedHits::meets_another_plane(const Vec3& point, PieceId piece, double distance) {
   for (std::size_t i = 0; i < hits_.size(); ++i) {
-    if (!meets(i)) continue;
+    if (!meets(i, point, piece, distance)) continue;
     last_plane_met_ = i;
     return true;
   }

@@ -41,9 +41,19 @@ class PlannedHits {
 
   /// Tells whether the point lies within a distance of the plane of one of the piece's hits. Tries
   /// the plane that was met last before all others, since neighbouring points often meet the same.
-  bool meets_a_plane(const Vec3& point, PieceId piece, double distance);
+  bool meets_a_plane(const Vec3& point, PieceId piece, double distance) {
+    if (last_plane_met_ < hits_.size() && meets(last_plane_met_, point, piece, distance)) {
+      return true;
+    }
+    return meets_another_plane(point, piece, distance);
+  }
 
  private:
+  bool meets(std::size_t i, const Vec3& point, PieceId piece, double distance) const {
+    return is_of(hits_[i], piece) && hits_[i].plane->distance(point) <= distance;
+  }
+  bool meets_another_plane(const Vec3& point, PieceId piece, double distance);
+
   static bool is_of(const PlannedHit& hit, PieceId piece) {
     return piece == kAllPieces || hit.piece == piece;
   }
