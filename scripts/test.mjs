@@ -162,7 +162,7 @@ const extras = {
     builders.package();
     jest('JavaScript tests but the slow ones', [
       '--testPathIgnorePatterns',
-      ...slow.js.map((file) => `tests/js/${file}`),
+      ...slow.js.map((name) => `tests/js/${name}\\.test\\.js`),
     ]);
   },
 };
