@@ -70,8 +70,8 @@ bool Envelopes::parted_along(const Vec3& normal, const DualMesh& mesh,
                              const HitTriangles& triangles, CellId leaf) const {
   std::vector<std::pair<double, double>> ranges;  // per loop: of heights along the normal
   for_each_loop(leaf, [&](LoopId v) {
-    auto& [lowest, highest] = ranges.emplace_back(std::numeric_limits<double>::max(),
-                                                  std::numeric_limits<double>::lowest());
+    double lowest = std::numeric_limits<double>::max();
+    double highest = std::numeric_limits<double>::lowest();
     for_each_hit_round(v, [&](HitId hit) {
       triangles.for_each(hit, [&](TriangleId t) {
         for (HalfEdgeId h = 3 * t; h < 3 * t + 3; ++h) {
@@ -81,6 +81,7 @@ bool Envelopes::parted_along(const Vec3& normal, const DualMesh& mesh,
         }
       });
     });
+    ranges.emplace_back(lowest, highest);
   });
   std::sort(ranges.begin(), ranges.end());
   const double gap = 4 * kClear * normal.norm();
