@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Exact signs of volumes and areas of points in floating point. They are computed in double first,
-// with a bound of the error, and where that does not decide with expansions (J. R. Shewchuk,
-// Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates, 1997).
+// Exact signs of volumes and areas of points in floating point. A sign is computed in double first,
+// together with a bound of the error. Where the bound is larger than the value, it is computed
+// again as an exact sum of doubles, an expansion (J. R. Shewchuk, Adaptive Precision Floating-Point
+// Arithmetic and Fast Robust Geometric Predicates, 1997).
 //
 // They are exact as long as products of three coordinate differences neither overflow nor
 // underflow: scale coordinates to about 1 first.

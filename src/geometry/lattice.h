@@ -53,8 +53,8 @@ inline int longest_axis(const LatticeBox& box) {
 /// The corners of an input triangle, rounded to the lattice.
 using LatticeTriangle = std::array<LatticePoint, 3>;
 
-/// Return the two axes that follow `axis` in cyclic order. With u and v for them, the axes (u, v,
-/// axis) are right-handed.
+/// Return the two axes that follow `axis` in cyclic order. If u is the next axis and v the previous
+/// one, the axes (u, v, axis) are right-handed.
 constexpr int next_axis(int axis) { return axis == 2 ? 0 : axis + 1; }
 constexpr int previous_axis(int axis) { return axis == 0 ? 2 : axis - 1; }
 

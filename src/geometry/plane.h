@@ -13,7 +13,8 @@ struct Plane {
   Vec3 normal = Vec3::Zero();
   double offset = 0;
 
-  /// Returns the distance in lattice units, positive on the side that the normal points to.
+  /// Returns the distance of a point from the plane in lattice units, positive on the side that the
+  /// normal points to.
   double signed_distance(const Vec3& p) const { return normal.dot(p) - offset; }
   double distance(const Vec3& p) const { return std::abs(signed_distance(p)); }
 };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Decides exactly on which side of what a point lies, with one perturbation that resolves all ties.
+// Decides exactly whether mesh vertices lie below grid planes, on which side of a mesh edge a grid
+// line passes, and where grid lines meet triangles. One perturbation resolves all ties.
 //
 // The mesh is read as translated by (-e, -e^2, -e^3), e infinitesimal, which is the same as every
 // grid point shifted by (+e, +e^2, +e^3). Then no grid plane contains a mesh vertex, no grid line
@@ -37,8 +38,8 @@ inline int side_of_edge(const LatticePoint& a, const LatticePoint& b, int axis, 
   return second > 0 ? 1 : (second < 0 ? -1 : 0);
 }
 
-/// Tells whether the grid line along `axis` through (pu, pv) meets the triangle. Returns 0 if it
-/// does not, else the sign of the triangle's normal along `axis`.
+/// Returns how the grid line along `axis` through (pu, pv) meets the triangle: 0 if it does not,
+/// else the sign of the triangle's normal along `axis`.
 inline int line_crosses(const LatticeTriangle& t, int axis, std::int32_t pu, std::int32_t pv) {
   const int first = side_of_edge(t[0], t[1], axis, pu, pv);
   if (first == 0 || side_of_edge(t[1], t[2], axis, pu, pv) != first) return 0;
@@ -72,8 +73,8 @@ constexpr std::int32_t floor_of(LinePosition position) {
 /// Returns a position in lattice units.
 constexpr double real_position(LinePosition position) { return position * kFractionUnit; }
 
-/// Returns where the grid line along `axis` through (pu, pv) meets the triangle, which it must
-/// (`line_crosses`).
+/// Returns where the grid line along `axis` through (pu, pv) meets the triangle. The line must meet
+/// it (see `line_crosses`).
 inline LinePosition crossing_position(const LatticeTriangle& t, int axis, std::int32_t pu,
                                       std::int32_t pv) {
   const int u = next_axis(axis);

@@ -31,8 +31,9 @@ class PrimalQuadric {
     return y.dot(a_ * y) - 2 * b_.dot(y) + c_;
   }
 
-  /// Returns for each coordinate how far the planes determine it: 1 if only one value is right for
-  /// a minimiser, 0 if any value is. The three add up to the rank.
+  /// Returns for each coordinate how far the planes determine it: 1 if all minimisers agree in the
+  /// coordinate, 0 if it may have any value. The three numbers add up to the rank: how many
+  /// directions the planes determine.
   Vec3 certainty() const;
 
   /// Returns a point at which E is least; of several the one nearest to the centre. Directions
@@ -74,9 +75,9 @@ struct Minimiser {
   double residual;
 };
 
-/// Returns `minimiser_in` with the usual cutoff, or with the fine one if the former misses half the
-/// tolerance and the latter is nearer. `residual(x)` must return the largest distance of x to the
-/// planes.
+/// Returns the point that `minimiser_in` finds with the usual cutoff. If the residual of this point
+/// is more than half the tolerance, returns the point found with the fine cutoff instead, provided
+/// that its residual is smaller. `residual(x)` must return the largest distance of x to the planes.
 template <typename Residual>
 Minimiser minimiser_within(const PrimalQuadric& quadric, const Vec3& lo, const Vec3& hi,
                            double tolerance, const Residual& residual) {
@@ -89,10 +90,10 @@ Minimiser minimiser_within(const PrimalQuadric& quadric, const Vec3& lo, const V
 }
 
 /// Looks for a point of the box within the tolerance of all planes. Where many planes are nearly
-/// the same, they draw the plain minimiser away from the others; here the weights of distant planes
-/// grow step by step until none is too far (C. L. Lawson, Contributions to the theory of linear
-/// least maximum approximation, 1961). Returns nothing if there is no such point, or none was found
-/// in ten steps.
+/// the same, they draw the plain minimiser away from the other planes; here the weights of distant
+/// planes grow step by step until none is too far (C. L. Lawson, Contributions to the theory of
+/// linear least maximum approximation, 1961). Returns nothing if there is no such point, or none
+/// was found in ten steps.
 std::optional<Vec3> point_within(std::span<const Plane> planes, const Vec3& centre, const Vec3& lo,
                                  const Vec3& hi, double tolerance);
 

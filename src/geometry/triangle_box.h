@@ -3,10 +3,9 @@
 //
 // Two convex sets are disjoint iff one of finitely many planes separates them. Such a plane is
 // normal to an axis, or contains the triangle, or contains an edge of the triangle and is parallel
-// to an axis: seen along the axis, the edge is then to one side of all corners of the box, which
-// are grid lines. So every test is one of the signs of predicates.h. A box may be flat (lo == hi on
-// one axis): then it is a rectangle in a lattice plane. Boxes and triangles count without their
-// boundaries.
+// to an axis: seen along this axis, all corners of the box then lie on one side of the edge. So
+// every test is one of the signs of predicates.h. A box may be flat (lo == hi on one axis): then it
+// is a rectangle in a lattice plane. Boxes and triangles count without their boundaries.
 #pragma once
 
 #include "geometry/predicates.h"
@@ -26,7 +25,8 @@ bool edge_meets_box(const LatticePoint& a, const LatticePoint& b, const LatticeB
 bool triangle_meets_box(const LatticeTriangle& t, const LatticeBox& box);
 
 /// The part of a triangle that lies within a box, with rounded corners in lattice units. It has
-/// nine corners at most, and while it is cut off up to twelve.
+/// nine corners at most, since each of the six sides of the box adds at most one to the three of
+/// the triangle; there is room for three more.
 struct ClippedPolygon {
   std::array<Vec3, 12> corners;
   int size = 0;

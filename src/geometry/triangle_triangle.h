@@ -2,11 +2,11 @@
 // Tells exactly whether two mesh triangles touch where they should not, from signs of volumes of
 // tetrahedra and of areas of triangles.
 //
-// Two triangles meet iff an edge of one meets the other. With one shared vertex, only the edges
-// opposite to it have to be asked; with a shared edge, only whether one is folded onto the other.
-// A kernel supplies `Point`, `volume_sign(a, b, c, d)`, `area_sign(a, b, c, axis)`, and two quick
-// tests of neighbours that may answer no where the exact answer is yes. The perturbation of
-// predicates.h moves both triangles alike, so it plays no part here.
+// Two triangles meet iff an edge of one meets the other. If they share one vertex, only the edges
+// opposite to it have to be tested; if they share an edge, only whether one triangle is folded onto
+// the other. A kernel supplies `Point`, `volume_sign(a, b, c, d)`, `area_sign(a, b, c, axis)`, and
+// two quick tests of neighbours that may answer no where the exact answer is yes. The perturbation
+// of predicates.h moves both triangles alike, so it plays no part here.
 #pragma once
 
 #include "geometry/exact_sign.h"
@@ -15,7 +15,7 @@
 
 namespace kdm {
 
-/// Decides for lattice points, in 64-bit integers.
+/// Computes the signs for lattice points, in 64-bit integers.
 struct LatticeKernel {
   using Point = LatticePoint;
   static int volume_sign(const Point& a, const Point& b, const Point& c, const Point& d) {
@@ -36,7 +36,7 @@ struct LatticeKernel {
   }
 };
 
-/// Decides for points in floating point, by exact_sign.h.
+/// Computes the signs for points in floating point (see exact_sign.h).
 struct RealKernel {
   using Point = Vec3;
   static int volume_sign(const Point& a, const Point& b, const Point& c, const Point& d) {
