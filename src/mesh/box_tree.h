@@ -11,8 +11,9 @@
 
 namespace kdm {
 
-/// Searches boxes, which are known by their numbers. Boxes that touch count as meeting. A search
-/// takes about logarithmic time and the time for what it finds, unless very many boxes overlap.
+/// Finds boxes by where they are and names them by their places in the given vector. Boxes that
+/// touch count as meeting. A search takes about logarithmic time and the time for what it finds,
+/// unless very many boxes overlap.
 class BoxTree {
  public:
   /// Builds the tree in time n log n. `boxes` must outlive it; none may be empty.

@@ -13,7 +13,7 @@ inline void grow(Box& box, const Vec3& p) {
   box.max = empty ? p : Vec3(box.max.cwiseMax(p));
 }
 
-/// Widens the box so that it holds the other one. Neither may be empty.
+/// Widens `box` so that it holds `other`. Neither box may be empty.
 inline void grow(Box& box, const Box& other) {
   box.min = box.min.cwiseMin(other.min);
   box.max = box.max.cwiseMax(other.max);

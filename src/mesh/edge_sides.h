@@ -12,7 +12,8 @@
 
 namespace kdm {
 
-/// A side of a face, seen as one of those along its edge. An edge joins a lower and an upper point.
+/// A side of a face, as it is listed among all the sides along the same edge. An edge joins a lower
+/// and an upper point.
 struct EdgeSide {
   PointId upper;  ///< the end of the edge with the higher number
   SideId side;    ///< the side's number
@@ -21,7 +22,7 @@ struct EdgeSide {
 
 /// Sorts the sides of faces by the points of their edges. Sides that lead from a point to the same
 /// point are left out. Takes linear time if no point has very many faces: the sides are put into
-/// one bucket a lower point, and the short buckets sorted.
+/// one bucket for each lower point, and then the buckets, which are short, are sorted.
 class EdgeSides {
  public:
   /// Takes the sides of triangles, numbered as mesh/sides.h says. `points` is above all corner

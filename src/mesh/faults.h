@@ -23,7 +23,7 @@ struct PartTopology {
   Index first_face = kNone;  ///< the lowest of its faces
   Index faces = 0;
   Index edges = 0;
-  Index fans = 0;        ///< like its vertices, but one counts once for each fan there
+  Index fans = 0;        ///< how many vertices it has, if each counts once for every fan at it
   bool manifold = true;  ///< no edge has three or more faces
   bool balanced = true;  ///< every edge is used equally often in both directions
   bool agreeing = true;  ///< no edge with two faces is used twice in one direction

@@ -15,7 +15,8 @@ struct Measure {
   Vec3 centre = Vec3::Zero();
   double area = 0;
   double volume = 0;           ///< positive where normals point outwards
-  double absolute_volume = 0;  ///< sum of the terms' absolute values: rounding errors are far below
+  double absolute_volume = 0;  ///< sum of the absolute values of the terms of `volume`, whose
+                               ///< rounding error is far smaller
 
   void add(const Vec3& p, const Vec3& q, const Vec3& r) {
     const Vec3 a = p - centre;

@@ -29,7 +29,7 @@ class Polygons {
     if (corners(face) == 4) visit(Triangle{v[0], v[2], v[3]});
   }
 
-  /// Calls `visit(face, triangle)` for every triangle of every face, cut likewise.
+  /// Calls `visit(face, triangle)` for every triangle of every face; quads are cut as above.
   template <typename Visit>
   void for_each_triangle(const Visit& visit) const {
     for (Index face = 0; face < size(); ++face) {

@@ -23,7 +23,8 @@ struct SortedCorners {
 
 /// Calls `visit(group)` for each set of three points with the triangles over it, ascending by their
 /// numbers. `points` is above all corner numbers. Takes linear time if no point has very many
-/// triangles: they are put into one bucket a lowest point, and the short buckets sorted.
+/// triangles: the triangles are put into one bucket for each lowest point, and then the buckets,
+/// which are short, are sorted.
 template <typename Visit>
 void for_each_corner_set(std::span<const Triangle> triangles, Index points, const Visit& visit) {
   const auto lowest = [](const Triangle& t) {

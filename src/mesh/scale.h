@@ -15,12 +15,12 @@ struct ScaledPositions {
   int exponent = 0;
 };
 
-/// Scales positions by the largest coordinate of all. Nothing is rounded, as long as coordinates do
-/// not differ by factors of 1e300.
+/// Scales positions by a power of two so that the largest coordinate of all is about 1. Nothing is
+/// rounded, as long as coordinates do not differ by factors of 1e300.
 ScaledPositions scale_to_one(const std::vector<Vec3>& positions);
 
-/// Scales positions by the largest coordinate of the triangles' corners. Positions that no triangle
-/// uses may come out larger than 1.
+/// Scales positions by a power of two so that the largest coordinate of the triangles' corners is
+/// about 1. Positions that no triangle uses may come out larger than 1.
 ScaledPositions scale_to_one(const std::vector<Vec3>& positions,
                              std::span<const Triangle> triangles);
 

@@ -12,9 +12,9 @@ namespace kdm {
 
 /// How the sides of a triangle mesh meet along its edges.
 struct Topology {
-  /// For each side the side of another triangle that runs along the same edge against it, or kNone
-  /// if no side is left for it. Where an edge has four or more triangles, the sides of the two
-  /// directions are paired in order of their numbers.
+  /// For each side the side of another triangle that runs along the same edge in the other
+  /// direction, or kNone if there is none or all are paired with other sides. Where an edge has
+  /// four or more triangles, the sides of the two directions are paired in order of their numbers.
   std::vector<SideId> opposite;
   /// The sides on edges of three or more triangles, edge by edge, ascending on each edge.
   std::vector<SideId> non_manifold_sides;
