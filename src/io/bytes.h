@@ -101,7 +101,7 @@ class ByteReader {
   std::size_t at_;
 };
 
-/// Append a number to a string, lowest byte first.
+/// Append a number to a string, its lowest byte first.
 inline void append_u8(std::string& out, std::uint8_t value) { out += static_cast<char>(value); }
 inline void append_u16(std::string& out, std::uint16_t value) {
   for (int shift = 0; shift < 16; shift += 8) out += static_cast<char>(value >> shift & 0xff);

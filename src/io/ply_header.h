@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reads the header of a PLY file, which says what follows: elements, such as vertices and faces,
-// each of which is a number of records with the same properties.
+// Reads the header of a PLY file, which says what data follow it. They are elements (such as the
+// vertices, or the faces); an element is a list of records that all have the same properties.
 #pragma once
 
 #include <cstdint>

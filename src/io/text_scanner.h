@@ -73,11 +73,12 @@ class TextScanner {
   }
 
   /// Takes the next word of this line as a finite number; `what` names it in messages. Throws
-  /// `kParseError` if it is none.
+  /// `kParseError` if the word is no finite number.
   double number(const char* what);
-  /// Takes the next word of this line as an integer, likewise.
+  /// Takes the next word of this line as an integer; `what` names it in messages. Throws
+  /// `kParseError` if the word is no integer.
   std::int64_t integer(const char* what);
-  /// Takes an integer at the beginning of the next word, which may go on behind it.
+  /// Takes an integer at the beginning of the next word; the rest of the word stays to be taken.
   std::int64_t integer_prefix(const char* what);
 
   /// Throw `kParseError` with the name of the text, a line (the current one, or `line`) and the

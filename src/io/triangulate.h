@@ -19,8 +19,8 @@ class Triangulator {
   /// Cuts the polygon whose `count` corners (3 at least) have the positions
   /// `positions[corners[i]]`. Writes count - 2 triangles over these corners to `out`, oriented like
   /// the polygon. The polygon's edges are among the triangles' edges, so neighbours stay joined. A
-  /// polygon without area, or one that cuts itself, gets as many triangles, some of which have no
-  /// area or overlap.
+  /// polygon without area, or one that cuts itself, is cut into count - 2 triangles too, but some
+  /// of them have no area or overlap.
   void cut(const std::vector<Vec3>& positions, const Index* corners, std::size_t count,
            Triangle* out);
 
