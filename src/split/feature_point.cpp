@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Feature points of a cell and of its half-faces, and the split that serves most of them.
+// Finds the feature points of a cell and of its half-faces, and the split that serves most of them.
 //
-// What the paper leaves open and we decided: a quadric counts with the coordinates that its
-// significant eigenvectors determine, so a crease counts across, not along its direction, and flat
-// parts not at all; the split goes through the point with the most others near it; and it keeps a
-// sixteenth of the cell's width away from its sides, since a feature so near is as well served.
+// The paper leaves three things open, which we decided as follows.
+// Weight. A feature point counts along an axis as far as the significant eigenvectors of its
+// quadric determine that coordinate. So a crease counts across its direction and not along it, and
+// a flat part of the surface does not count. Choice. The split goes through the feature point with
+// the most other feature points near it. Margin. The split keeps away from the sides of the cell,
+// since a feature point near a side is served by that side.
 #include "split/feature_point.h"
 
 #include <algorithm>
@@ -16,12 +18,19 @@
 namespace kdm {
 namespace {
 
-// A feature helps a split within this fraction of the cell's width.
+// A split serves the feature points that lie within this fraction of the cell's width from it.
 constexpr double kReach = 1.0 / 8;
+// A split keeps this fraction of the cell's width away from the sides of the cell.
 constexpr double kMargin = 1.0 / 16;
+// A quadric is that of a feature if the certainties of its minimiser's coordinates add up to this.
+// Nearly parallel planes give about 1, a crease gives 2, a corner 3.
+constexpr double kLeastCertainty = 1.5;
+// A split goes through a feature point only across axes along which its certainty is above this.
+constexpr double kLeastCertaintyAcross = 0.5;
 
 }  // namespace
 
+// Finds the feature point of the triangles that lie wholly in the cell, if there is one.
 void FeatureFinder::find_in_cell(const LatticeBox& box, std::span<const ListEntry> entries) {
   const Vec3 centre = 0.5 * (to_vec3(box.lo) + to_vec3(box.hi));
   PrimalQuadric quadric(centre);
@@ -37,10 +46,12 @@ void FeatureFinder::find_in_cell(const LatticeBox& box, std::span<const ListEntr
   }
   if (!any) return;
   const Vec3 certainty = quadric.certainty();
-  if (certainty.sum() < 1.5) return;  // one direction only: flat
+  if (certainty.sum() < kLeastCertainty) return;
   features_.push_back({quadric.minimiser_in(to_vec3(box.lo), to_vec3(box.hi)), certainty});
 }
 
+// Finds the feature point of the lines in which triangles cut the cell's low or high side across
+// `axis`, if there is one.
 void FeatureFinder::find_on_half_face(const LatticeBox& box, std::span<const ListEntry> entries,
                                       int axis, bool high) {
   const std::int32_t plane = high ? box.hi[axis] : box.lo[axis];
@@ -52,7 +63,7 @@ void FeatureFinder::find_on_half_face(const LatticeBox& box, std::span<const Lis
     const LatticeTriangle& t = surface_.triangles[entry.triangle];
     if (surface_.degenerate.test(entry.triangle)) continue;
     if (high ? entry.hi[axis] < plane : entry.lo[axis] > plane) continue;
-    // The ends of the triangle's section with the face's plane.
+    // The triangle cuts the side's plane in a segment; both its ends must lie within the side.
     bool inside = true;
     int ends = 0;
     for (int i = 0; i < 3; ++i) {
@@ -67,7 +78,8 @@ void FeatureFinder::find_on_half_face(const LatticeBox& box, std::span<const Lis
       ++ends;
     }
     if (ends != 2 || !inside) continue;
-    // The triangle's plane, turned upright on the face, meets it in the same line.
+    // The plane through the segment that stands upright on the side takes the place of the
+    // triangle's plane.
     Plane line = surface_.planes[entry.triangle];
     line.offset -= line.normal[axis] * plane;
     line.normal[axis] = 0;
@@ -78,19 +90,21 @@ void FeatureFinder::find_on_half_face(const LatticeBox& box, std::span<const Lis
   }
   if (!any) return;
   Vec3 certainty = quadric.certainty();
-  if (certainty.sum() < 1.5) return;
-  certainty[axis] = 0;  // the face is there already
+  if (certainty.sum() < kLeastCertainty) return;
+  certainty[axis] = 0;  // a split through the half-face is there already
   LatticeBox face = box;
   face.lo[axis] = face.hi[axis] = plane;
   features_.push_back({quadric.minimiser_in(to_vec3(face.lo), to_vec3(face.hi)), certainty});
 }
 
-double FeatureFinder::score(const LatticeBox& box, int axis, double value) const {
+// Returns how much a split at `value` serves the feature points: the sum of their certainties
+// across the axis, each times a factor that falls from 1 at the split to 0 at the reach.
+double FeatureFinder::usefulness(const LatticeBox& box, int axis, double value) const {
   const double reach = kReach * (box.hi[axis] - box.lo[axis]);
   double sum = 0;
   for (const Feature& feature : features_) {
-    const double near = 1 - std::abs(feature.point[axis] - value) / reach;
-    if (near > 0) sum += near * feature.certainty[axis];
+    const double nearness = 1 - std::abs(feature.point[axis] - value) / reach;
+    if (nearness > 0) sum += nearness * feature.certainty[axis];
   }
   return sum;
 }
@@ -103,10 +117,10 @@ std::optional<Split> FeatureFinder::propose(const LatticeBox& box,
     for (const bool high : {false, true}) find_on_half_face(box, entries, axis, high);
   }
   std::optional<Split> best;
-  double most = 0;
-  double longest = 0;
+  double most_worth = 0;
+  double longest_extent = 0;
   for (int axis = 0; axis < 3; ++axis) {
-    longest = std::max(longest, static_cast<double>(box.hi[axis] - box.lo[axis]));
+    longest_extent = std::max(longest_extent, static_cast<double>(box.hi[axis] - box.lo[axis]));
   }
   for (int axis = 0; axis < 3; ++axis) {
     const double low = box.lo[axis];
@@ -114,13 +128,14 @@ std::optional<Split> FeatureFinder::propose(const LatticeBox& box,
     if (extent < 2) continue;
     const double margin = std::max(kMargin * extent, 1.0);
     for (const Feature& feature : features_) {
-      if (!(feature.certainty[axis] > 0.5)) continue;
+      if (!(feature.certainty[axis] > kLeastCertaintyAcross)) continue;
       const double value = std::clamp(feature.point[axis], low + margin, low + extent - margin);
-      // Of splits that serve as much, the one across the longer side makes the better cells.
-      const double worth = score(box, axis, value) * extent / longest;
-      if (worth <= most) continue;
-      most = worth;
-      // A vertex on a split counts as below it: the feature's own triangles stay together there.
+      // Of two splits that are equally useful, the one across the longer extent makes cells of the
+      // better proportions.
+      const double worth = usefulness(box, axis, value) * extent / longest_extent;
+      if (worth <= most_worth) continue;
+      most_worth = worth;
+      // The split may go right through the feature point: a vertex at its value counts as below it.
       best = Split{axis, std::clamp(static_cast<std::int32_t>(std::floor(value + 0.5)),
                                     box.lo[axis] + 1, box.hi[axis] - 1)};
     }

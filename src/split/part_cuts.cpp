@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: MIT
-// A sweep along each axis over the triangles' bounds.
+// Finds planes between parts by a sweep along each axis over the triangles' bounds.
 #include "split/part_cuts.h"
 
 #include <algorithm>
 
 #include "mesh/disjoint_sets.h"
+#include "mesh/sides.h"
 
 namespace kdm {
 
 namespace {
 
-// Parts with more triangles are models of their own: how many cells they take is not for their
-// topology to say.
-constexpr Index kFewTriangles = 512;
+// A part with at most this many triangles is small. The topology of small parts is looked after
+// before their fit; parts with more triangles are models of their own.
+constexpr Index kMostTrianglesOfSmallPart = 512;
+// More parts than this are many. A window and the parts of its frame are not yet many.
 constexpr std::size_t kFewParts = 4;
 
 }  // namespace
@@ -21,31 +23,33 @@ PartCuts::PartCuts(const Surface& surface) {
   if (surface.topology.components <= 1) return;
   const auto triangles = static_cast<Index>(surface.triangles.size());
   DisjointSets parts(triangles);
-  for (Index side = 0; side < 3 * triangles; ++side) {
+  for (SideId side = 0; side < 3 * triangles; ++side) {
     const SideId opposite = surface.topology.opposite[side];
-    if (opposite != kNone && opposite < side) parts.join(side / 3, opposite / 3);
+    if (opposite != kNone && opposite < side) parts.join(triangle_of(side), triangle_of(opposite));
   }
-  part_.reserve(triangles);
-  std::vector<Index> size(triangles, 0);
-  for (Index i = 0; i < triangles; ++i) {
-    part_.push_back(parts.find(i));
-    ++size[part_[i]];
+  part_of_.reserve(triangles);
+  std::vector<Index> triangles_of(triangles, 0);  // per part, by its lowest triangle
+  for (TriangleId i = 0; i < triangles; ++i) {
+    part_of_.push_back(parts.find(i));
+    ++triangles_of[part_of_[i]];
   }
-  small_.reserve(triangles);
-  for (const Index part : part_) small_.push_back(size[part] <= kFewTriangles ? 1 : 0);
+  in_small_part_.reserve(triangles);
+  for (const TriangleId part : part_of_) {
+    in_small_part_.push_back(triangles_of[part] <= kMostTrianglesOfSmallPart);
+  }
 }
 
 bool PartCuts::all_small(std::span<const ListEntry> entries) const {
-  if (part_.empty()) return false;
+  if (part_of_.empty()) return false;
   return std::all_of(entries.begin(), entries.end(),
-                     [&](const ListEntry& entry) { return small_[entry.triangle] != 0; });
+                     [&](const ListEntry& entry) { return in_small_part_.test(entry.triangle); });
 }
 
 bool PartCuts::has_many_parts(std::span<const ListEntry> entries) const {
-  std::array<Index, kFewParts> met;
-  std::size_t count = 0;
+  std::array<TriangleId, kFewParts> met;
+  std::size_t count = 0;  // of the parts that were met
   for (const ListEntry& entry : entries) {
-    const Index part = part_[entry.triangle];
+    const TriangleId part = part_of_[entry.triangle];
     if (std::find(met.begin(), met.begin() + count, part) != met.begin() + count) continue;
     if (count == kFewParts) return true;
     met[count++] = part;
@@ -54,15 +58,15 @@ bool PartCuts::has_many_parts(std::span<const ListEntry> entries) const {
 }
 
 std::optional<Split> PartCuts::propose(std::span<const ListEntry> entries) {
-  if (part_.empty()) return std::nullopt;
-  const Index first = part_[entries.front().triangle];
+  if (part_of_.empty()) return std::nullopt;
+  const TriangleId first = part_of_[entries.front().triangle];
   if (std::all_of(entries.begin(), entries.end(),
-                  [&](const ListEntry& entry) { return part_[entry.triangle] == first; })) {
+                  [&](const ListEntry& entry) { return part_of_[entry.triangle] == first; })) {
     return std::nullopt;
   }
   std::optional<Split> best;
-  std::size_t most = 0;
-  std::int32_t widest = 0;
+  std::size_t most_on_poorer_side = 0;
+  std::int32_t widest_gap = 0;
   for (int axis = 0; axis < 3; ++axis) {
     extents_.clear();
     for (const ListEntry& entry : entries) extents_.push_back({entry.lo[axis], entry.hi[axis]});
@@ -71,12 +75,15 @@ std::optional<Split> PartCuts::propose(std::span<const ListEntry> entries) {
     for (std::size_t i = 1; i < extents_.size(); ++i) {
       const std::int32_t gap = extents_[i][0] - reach;
       reach = std::max(reach, extents_[i][1]);
-      if (gap < 2) continue;  // the plane lies off both
-      const std::size_t fewer = std::min(i, extents_.size() - i);
-      if (fewer < most || (fewer == most && gap <= widest)) continue;
+      if (gap < 2) continue;  // the plane must touch neither of the triangles beside it
+      const std::size_t on_poorer_side = std::min(i, extents_.size() - i);
+      if (on_poorer_side < most_on_poorer_side ||
+          (on_poorer_side == most_on_poorer_side && gap <= widest_gap)) {
+        continue;
+      }
       best = Split{axis, extents_[i][0] - gap + gap / 2};
-      most = fewer;
-      widest = gap;
+      most_on_poorer_side = on_poorer_side;
+      widest_gap = gap;
     }
   }
   return best;

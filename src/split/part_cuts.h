@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which parts of the surface are small, and planes between parts: a split there meets no triangle,
-// so it costs no hits.
+// Splits between the parts of a surface. A split whose plane meets no triangle adds no hits.
 #pragma once
 
 #include <array>
@@ -8,30 +7,40 @@
 #include <span>
 #include <vector>
 
+#include "mesh/marks.h"
+#include "mesh/numbers.h"
 #include "prepare/surface.h"
 #include "split/split_rules.h"
 #include "split/triangle_lists.h"
 
 namespace kdm {
 
-/// Parts are joined by edges. Of a surface that is one part nothing is ever said.
+/// Knows the connected parts of a surface and finds planes between them. A part is a set of
+/// triangles that are connected through shared edges. If the whole surface is one part, no part is
+/// called small and no plane is found.
 class PartCuts {
  public:
+  /// Finds the parts, in time nearly linear in the number of triangles.
   explicit PartCuts(const Surface& surface);
 
-  /// Are the triangles of parts with few triangles only?
+  /// Tells whether all triangles of a cell's list belong to small parts: parts that have at most
+  /// 512 triangles each.
   bool all_small(std::span<const ListEntry> entries) const;
-  /// Are they of more parts than a window with its frame is?
+  /// Tells whether the triangles of a cell's list belong to more than four parts. The surface must
+  /// have several parts.
   bool has_many_parts(std::span<const ListEntry> entries) const;
 
-  /// The plane clear of all triangles that leaves the most of them on either side; nothing if
-  /// there is none, or the triangles are all of one part.
+  /// Returns a split of the cell whose plane meets none of the triangles in the cell's list, which
+  /// must not be empty. Of several such splits it is the one with the most triangles on the side
+  /// where they are fewer. Returns nothing if every plane meets triangles, or if all triangles
+  /// belong to one part. Takes three sorts of the list.
   std::optional<Split> propose(std::span<const ListEntry> entries);
 
  private:
-  std::vector<Index> part_;  // per triangle: the lowest triangle of its part
-  std::vector<char> small_;  // per triangle: its part is
-  std::vector<std::array<std::int32_t, 2>> extents_;  // of the triangles along the axis at hand
+  std::vector<TriangleId> part_of_;  // per triangle: the lowest triangle of its part
+  Marks in_small_part_;              // per triangle
+  // The lower and upper bound of each triangle in the list along one axis, in lattice units.
+  std::vector<std::array<std::int32_t, 2>> extents_;
 };
 
 }  // namespace kdm

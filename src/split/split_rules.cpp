@@ -1,35 +1,40 @@
 // SPDX-License-Identifier: MIT
-// The split rules that look at depth or triangle counts only: uniform, median (paper 5.1.2 (1)).
+// The uniform rule, which looks at the depth of a cell only, and the median rule, which looks at
+// the number of its triangles (paper 5.1.2 (1)).
 #include "split/split_rules.h"
 
 #include <algorithm>
 
+#include "mesh/marks.h"
+
 namespace kdm {
 namespace {
 
+/// Splits all cells above the greatest depth in the middle, across x, y and z in turn.
 class UniformRule : public SplitRule {
  public:
-  explicit UniformRule(int depth) : depth_(depth) {}
+  explicit UniformRule(int max_depth) : max_depth_(max_depth) {}
 
   std::optional<Split> choose(const CellView& cell) override {
-    return cell.depth < depth_ ? midpoint_in_turn(cell.box, cell.depth) : std::nullopt;
+    return cell.depth < max_depth_ ? midpoint_in_turn(cell.box, cell.depth) : std::nullopt;
   }
 
  private:
-  int depth_;
+  int max_depth_;
 };
 
-/// Paper 5.1.2 (1): a triangle belongs to the cell that holds its centre; cells are cut at the
-/// median of their triangles' centres until a grid edge has met each of them.
+/// Splits cells at the median of their triangles' centres until grid edges cross all triangles of a
+/// cell (paper 5.1.2 (1)). A triangle counts as one of the cell that holds its centre; triangles
+/// without area count nowhere. The rule's range for a cell is a range of `centres_`.
 class MedianRule : public SplitRule {
  public:
-  MedianRule(const Surface& surface, int depth) : depth_(depth) {
-    met_.assign(surface.triangles.size(), 0);
+  MedianRule(const Surface& surface, int max_depth)
+      : max_depth_(max_depth), crossed_(surface.triangles.size()) {
     centres_.reserve(surface.triangles.size());
     for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
       if (surface.degenerate.test(i)) continue;
       const LatticeTriangle& t = surface.triangles[i];
-      Centre centre{{}, static_cast<Index>(i)};
+      Centre centre{{}, static_cast<TriangleId>(i)};
       for (int k = 0; k < 3; ++k) centre.point[k] = (t[0][k] + t[1][k] + t[2][k]) / 3;
       centres_.push_back(centre);
     }
@@ -38,13 +43,14 @@ class MedianRule : public SplitRule {
   RuleRange root() override { return {0, static_cast<Index>(centres_.size())}; }
 
   std::optional<Split> choose(const CellView& cell) override {
-    if (cell.depth >= depth_) return std::nullopt;
+    if (cell.depth >= max_depth_) return std::nullopt;
     const auto begin = centres_.begin() + cell.range.begin;
     const auto end = centres_.begin() + cell.range.end;
-    if (std::all_of(begin, end, [&](const Centre& c) { return met_[c.triangle] != 0; })) {
+    if (std::all_of(begin, end, [&](const Centre& c) { return crossed_.test(c.triangle); })) {
       return std::nullopt;
     }
-    // Axes in order of the spread of the centres, then of the box.
+    // The axes along which the centres spread furthest come first; among equal ones, the axes
+    // along which the box is longest.
     LatticeBox spread{begin->point, begin->point};
     for (auto i = begin; i != end; ++i) {
       for (int k = 0; k < 3; ++k) {
@@ -81,17 +87,17 @@ class MedianRule : public SplitRule {
     return {RuleRange{range.begin, middle}, RuleRange{middle, range.end}};
   }
 
-  void on_crossing(Index triangle) override { met_[triangle] = 1; }
+  void on_crossing(TriangleId triangle) override { crossed_.set(triangle); }
 
  private:
   struct Centre {
     LatticePoint point;
-    Index triangle;
+    TriangleId triangle;
   };
 
-  int depth_;
-  std::vector<Centre> centres_;  // each cell's are consecutive
-  std::vector<char> met_;        // per triangle
+  int max_depth_;
+  std::vector<Centre> centres_;  // the centres of each cell are consecutive
+  Marks crossed_;                // per triangle: a grid edge crosses it
 };
 
 }  // namespace

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Where a cell is split, or that it stays a leaf (paper 5.1.2): what every rule is asked.
+// Split rules decide where a cell is split, or that it stays a leaf (paper 5.1.2). Construction
+// asks a rule about each cell, from the root down: it shows the rule a `CellView` and gets a
+// `Split` or nothing.
 #pragma once
 
 #include <array>
@@ -10,30 +12,35 @@
 
 #include "inside/crossing.h"
 #include "kdmanifold/build.h"
+#include "mesh/numbers.h"
 #include "prepare/surface.h"
 #include "split/triangle_lists.h"
 
 namespace kdm {
 
+/// A plane that divides a cell in two.
 struct Split {
-  int axis;
-  std::int32_t value;
+  int axis;            ///< normal to the plane
+  std::int32_t value;  ///< lattice coordinate, strictly between the cell's sides
 };
 
-/// What a rule carries from a cell to its children: its own ordering's range.
+/// A range of numbers that a rule gives to each cell, for instance of the triangles that the rule
+/// counts as the cell's. Only the rule knows what the numbers mean.
 using RuleRange = ListRange;
 
-/// The crossings on an edge of a cell: a range of `EdgeCrossings::all`. Empty if the edge is part
-/// of the root cell's edges.
+/// The crossings on an edge of a cell: a range of numbers of `CellView::crossings`. It is empty if
+/// the edge lies on an edge of the root cell.
 struct EdgeRange {
   Index begin = 0;
   Index end = 0;
 };
 
-/// The twelve edges of a cell: number 4 * axis + bits; bit 0: at the high end of the next axis,
-/// bit 1: at the high end of the previous axis.
+/// The crossings on the twelve edges of a cell, numbered as `cell_edge` does.
 using CellEdges = std::array<EdgeRange, 12>;
 
+/// Returns the number of a cell's edge along `axis`: 4 * axis, plus 1 if the edge lies at the high
+/// side of the cell across the next axis, plus 2 if it lies at the high side across the previous
+/// axis.
 constexpr int cell_edge(int axis, bool high_next, bool high_previous) {
   return 4 * axis + (high_next ? 1 : 0) + (high_previous ? 2 : 0);
 }
@@ -41,44 +48,52 @@ constexpr int cell_edge(int axis, bool high_next, bool high_previous) {
 /// A cell that may be split, as construction shows it to a rule.
 struct CellView {
   const LatticeBox& box;
-  int depth;
+  int depth;                           ///< splits between the root cell and this cell
   std::span<const ListEntry> entries;  ///< triangles that may reach the cell, at least one
-  RuleRange range;                     ///< the range that the rule gave the cell by `divide`
-  const CellEdges& edges;              ///< where the cell's crossings are among `crossings`
-  const std::vector<ClassifiedCrossing>& crossings;  ///< all that were found so far
+  RuleRange range;                     ///< the rule's own range for the cell, from `divide`
+  const CellEdges& edges;              ///< which of `crossings` lie on the edges of the cell
+  const std::vector<ClassifiedCrossing>& crossings;  ///< all that were found so far in the grid
 };
 
-/// One object serves the whole construction; it is asked about cells in depth-first order.
+/// Decides for each cell where it is split. One object serves the whole construction of a grid; it
+/// is asked about the cells in depth-first order, lower children first.
 class SplitRule {
  public:
   virtual ~SplitRule() = default;
-  /// The range that the root cell has.
+  /// Returns the rule's range for the root cell.
   virtual RuleRange root() { return {}; }
+  /// Returns where the cell is split, or nothing if it stays a leaf.
   virtual std::optional<Split> choose(const CellView& cell) = 0;
-  /// Ranges of the two children of a split cell.
+  /// Returns the rule's ranges for the lower and the upper child of a cell, from the cell's range.
   virtual std::array<RuleRange, 2> divide(RuleRange range, const Split& split) {
     static_cast<void>(split);
     return {range, range};
   }
-  /// A grid edge has met this triangle.
-  virtual void on_crossing(Index triangle) { static_cast<void>(triangle); }
-  /// What the rule can say of the grid once all cells are made.
+  /// Tells the rule that a grid edge crosses a triangle.
+  virtual void on_crossing(TriangleId triangle) { static_cast<void>(triangle); }
+  /// Writes what the rule knows about the grid to `stats`, after the last cell was made.
   virtual void report(GridStats& stats) const { static_cast<void>(stats); }
 };
 
-/// The middle of the box along the axis whose turn it is; nothing once that is one unit wide.
+/// Returns the split through the middle of the box across axis `depth % 3`, or nothing if the box
+/// is one lattice unit wide along that axis.
 std::optional<Split> midpoint_in_turn(const LatticeBox& box, int depth);
 
-/// Where the adaptive rule splits a cell that does not fit.
+/// Says where the adaptive rule splits a cell whose surface does not fit.
 enum class CutPosition {
-  kHalving,  ///< in the middle of its longest side
-  kInTurn,   ///< in the middle, x, y, z in turn: an octree
-  kFeature   ///< through or near features, paper 5.1.2 (2)
+  kHalving,  ///< in the middle of the cell's longest extent
+  kInTurn,   ///< in the middle across x, y and z in turn, which makes an octree
+  kFeature   ///< through or near feature points (paper 5.1.2 (2)), or halving if there are none
 };
 
-/// `tolerance` in lattice units.
+/// Makes the rule that `options.strategy` names. `tolerance` is in lattice units; cells at depth
+/// `depth` are not split. The rule keeps a reference to the surface.
 std::unique_ptr<SplitRule> make_split_rule(const Surface& surface, const BuildOptions& options,
                                            double tolerance, int depth);
+
+/// Makes the adaptive rule. It splits cells until the surface in each is met within `tolerance`
+/// (lattice units) and keeps its topology, but no cells at depth `depth`. The rule keeps a
+/// reference to the surface.
 std::unique_ptr<SplitRule> make_adaptive_rule(const Surface& surface, double tolerance, int depth,
                                               CutPosition position);
 

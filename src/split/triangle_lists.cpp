@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Partition of a cell's triangles by a plane.
+// Division of a cell's list of triangles by a splitting plane.
 #include "split/triangle_lists.h"
 
 #include <algorithm>
@@ -10,31 +10,35 @@
 namespace kdm {
 namespace {
 
-// Bounds come from rounded arithmetic whose error is far below this, and are widened by it: a
-// list may hold a triangle too many, never one too few.
-constexpr double kSlack = 1e-3;
+// Bounds are widened by this many lattice units. The arithmetic behind them is rounded, with errors
+// far smaller than this. So a list may hold a triangle too many, but never one too few.
+constexpr double kRoundingSlack = 1e-3;
 
-// Lattice coordinates are not negative, so truncation rounds down.
-std::int32_t round_down(double x) { return static_cast<std::int32_t>(x - kSlack); }
-std::int32_t round_up(double x) { return static_cast<std::int32_t>(x + kSlack) + 1; }
+// Returns a lattice coordinate that is certainly not above x. Lattice coordinates are not negative,
+// so that truncation rounds down.
+std::int32_t round_down(double x) { return static_cast<std::int32_t>(x - kRoundingSlack); }
+// Returns a lattice coordinate that is certainly not below x.
+std::int32_t round_up(double x) { return static_cast<std::int32_t>(x + kRoundingSlack) + 1; }
 
-// May the triangle's plane meet the bounds?
+// Tells whether the triangle's plane may meet the bounds of the part. An answer "no" is certain.
 bool plane_meets(const LatticeTriangle& t, const ListEntry& part) {
   const auto normal = area_vector(t);
-  double middle = 0;
-  double reach = 0;
-  double size = 0;
+  double middle_height =
+      0;  // of the middle of the bounds over the plane, times the normal's length
+  double corner_height = 0;  // of the highest corner over that middle, likewise
+  double normal_size = 0;
   for (int i = 0; i < 3; ++i) {
     const auto n = static_cast<double>(normal[i]);
-    middle += n * (0.5 * (part.lo[i] + part.hi[i]) - t[0][i]);
-    reach += std::abs(n) * (0.5 * (part.hi[i] - part.lo[i]));
-    size += std::abs(n);
+    middle_height += n * (0.5 * (part.lo[i] + part.hi[i]) - t[0][i]);
+    corner_height += std::abs(n) * (0.5 * (part.hi[i] - part.lo[i]));
+    normal_size += std::abs(n);
   }
-  return std::abs(middle) <= reach + kSlack * size;
+  return std::abs(middle_height) <= corner_height + kRoundingSlack * normal_size;
 }
 
-// Is there a part? A corner within the bounds proves it; else the plane must meet them.
-bool meets(const LatticeTriangle& t, const ListEntry& part) {
+// Tells whether the triangle may have a part within the bounds. It has one if one of its corners
+// lies there; otherwise its plane must meet the bounds.
+bool may_meet(const LatticeTriangle& t, const ListEntry& part) {
   for (int i = 0; i < 3; ++i) {
     if (part.lo[i] > part.hi[i]) return false;
   }
@@ -52,19 +56,19 @@ TriangleLists::TriangleLists(const std::vector<LatticeTriangle>& triangles)
     : triangles_(triangles) {
   make_room(3 * triangles.size());
   for (const LatticeTriangle& t : triangles) {
-    ListEntry& entry = arena_[all_];
-    entry.triangle = all_++;
+    ListEntry& entry = arena_[triangle_count_];
+    entry.triangle = triangle_count_++;
     for (int k = 0; k < 3; ++k) {
       entry.lo[k] = std::min({t[0][k], t[1][k], t[2][k]});
       entry.hi[k] = std::max({t[0][k], t[1][k], t[2][k]});
     }
   }
-  size_ = all_;
+  size_ = triangle_count_;
 }
 
-void TriangleLists::make_room(std::size_t entries) {
-  if (size_ + entries <= capacity_) return;
-  const std::size_t capacity = std::max(size_ + entries, 2 * capacity_);
+void TriangleLists::make_room(std::size_t more_entries) {
+  if (size_ + more_entries <= capacity_) return;
+  const std::size_t capacity = std::max(size_ + more_entries, 2 * capacity_);
   std::unique_ptr<ListEntry[]> larger(new ListEntry[capacity]);
   std::copy(arena_.get(), arena_.get() + size_, larger.get());
   arena_ = std::move(larger);
@@ -93,16 +97,19 @@ TriangleLists::Children TriangleLists::divide(ListRange parent, int axis, std::i
   return {{first_below, first_above}, {first_above, size_}};
 }
 
-// The part on each side lies within the bounds of the triangle's corners on that side and of the
-// two points where its outline crosses the plane, and within the parent's bounds.
+// Adds the triangle of an entry that reaches both sides of the plane to the lists of both children,
+// except where it has no part in a child. The triangle's part on one side of the plane lies within
+// the bounds of its corners there and of the two points where its outline crosses the plane. It
+// also lies within the bounds of the parent's entry.
 void TriangleLists::divide_straddler(const ListEntry& entry, int axis, std::int32_t value) {
   const LatticeTriangle& t = triangles_[entry.triangle];
   const int u = next_axis(axis);
   const int v = previous_axis(axis);
-  constexpr std::int32_t kFar = 4 * kLatticeSize;
-  std::array<LatticePoint, 2> lo{{{kFar, kFar, kFar}, {kFar, kFar, kFar}}};  // below, above
+  constexpr std::int32_t kFar = 4 * kLatticeSize;  // beyond all coordinates
+  std::array<LatticePoint, 2> lo{
+      {{kFar, kFar, kFar}, {kFar, kFar, kFar}}};  // below the plane, above it
   std::array<LatticePoint, 2> hi{{{-kFar, -kFar, -kFar}, {-kFar, -kFar, -kFar}}};
-  const auto add = [&](int side, int k, std::int32_t low, std::int32_t high) {
+  const auto extend = [&](int side, int k, std::int32_t low, std::int32_t high) {
     lo[side][k] = std::min(lo[side][k], low);
     hi[side][k] = std::max(hi[side][k], high);
   };
@@ -111,19 +118,19 @@ void TriangleLists::divide_straddler(const ListEntry& entry, int axis, std::int3
     const LatticePoint& b = t[i == 2 ? 0 : i + 1];
     for (int side = 0; side < 2; ++side) {
       if (side == 0 ? a[axis] > value : a[axis] < value) continue;
-      // The plane lies infinitely little above its value: from a corner on it, the part below
-      // extends a little along the sides that rise.
+      // The plane lies infinitely little above its value. So a corner at the value lies below the
+      // plane, and the part below extends a little from there along the sides that rise.
       const std::int32_t reach = side == 0 && a[axis] == value ? 1 : 0;
-      for (int k = 0; k < 3; ++k) add(side, k, a[k] - reach, a[k] + reach);
+      for (int k = 0; k < 3; ++k) extend(side, k, a[k] - reach, a[k] + reach);
     }
     if ((a[axis] < value) == (b[axis] < value) || a[axis] == value || b[axis] == value) continue;
-    const double s = static_cast<double>(value - a[axis]) / (b[axis] - a[axis]);
+    const double share = static_cast<double>(value - a[axis]) / (b[axis] - a[axis]);
     for (const int k : {u, v}) {
-      const double crossing = a[k] + s * (b[k] - a[k]);
+      const double crossing = a[k] + share * (b[k] - a[k]);
       const std::int32_t low = round_down(crossing);
       const std::int32_t high = round_up(crossing);
-      add(0, k, low, high);
-      add(1, k, low, high);
+      extend(0, k, low, high);
+      extend(1, k, low, high);
     }
   }
   for (int side = 0; side < 2; ++side) {
@@ -135,7 +142,7 @@ void TriangleLists::divide_straddler(const ListEntry& entry, int axis, std::int3
     }
     if (side == 0) part.hi[axis] = value;
     if (side == 1) part.lo[axis] = value;
-    if (!meets(t, part)) continue;
+    if (!may_meet(t, part)) continue;
     if (side == 0) {
       arena_[size_++] = part;
     } else {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Which triangles reach which cell: one arena of entries, used as a stack (paper 5.1.1 hands
-// clipped polygons down; we hand down numbers and the bounds of the clipped part).
+// Lists of the triangles that reach each cell. Construction hands them down the tree: when a cell
+// is split, its list is divided into those of its children. Paper 5.1.1 hands down polygons clipped
+// to the cell; we hand down the triangle's number and bounds of the clipped polygon.
 #pragma once
 
 #include <memory>
@@ -9,60 +10,72 @@
 
 #include "geometry/lattice.h"
 #include "geometry/plane.h"
+#include "mesh/numbers.h"
 
 namespace kdm {
 
-/// A triangle's part in a cell: bounds that hold the part, rounded outwards. Left uninitialised by
-/// default, since the arena makes many at once.
+/// A triangle that may reach a cell, with bounds of its part in the cell. The fields have no
+/// initial values, because the arena makes many entries at once.
 struct ListEntry {
-  Index triangle;
-  LatticePoint lo;
-  LatticePoint hi;
+  TriangleId triangle;
+  LatticePoint lo;  ///< the least corner of the bounds, in lattice units, rounded outwards
+  LatticePoint hi;  ///< the greatest corner
 };
 
-/// Entries of a cell: [begin, end) of the arena.
+/// The entries of one cell: the numbers from `begin` up to, but not including, `end`.
 struct ListRange {
   Index begin = 0;
   Index end = 0;
   Index size() const { return end - begin; }
 };
 
+/// Keeps the lists of the cells from the root to the cell at hand, and of their siblings, in one
+/// array that grows and shrinks like a stack. A list holds every triangle that meets its cell, and
+/// maybe a few that only come near it.
 class TriangleLists {
  public:
-  /// Starts with all triangles; those without area too, since they join their neighbours.
+  /// Makes the list of the root cell, which holds all triangles. Triangles without area are among
+  /// them, because their neighbours are connected through them. Keeps a reference to `triangles`.
   explicit TriangleLists(const std::vector<LatticeTriangle>& triangles);
 
-  ListRange all() const { return {0, all_}; }
+  /// Returns the list of the root cell.
+  ListRange all() const { return {0, triangle_count_}; }
+  /// Returns the entries of a list. They may move at the next `divide`.
   std::span<const ListEntry> entries(ListRange range) const {
     return {arena_.get() + range.begin, range.size()};
   }
 
-  const ListEntry& entry(Index i) const { return arena_[i]; }
+  const ListEntry& entry(Index number) const { return arena_[number]; }
 
-  /// Appends the lists of both children. Give them back with `release(below)`, after all that came
-  /// later.
+  /// The lists of the two children of a split cell.
   struct Children {
     ListRange below;
     ListRange above;
   };
+  /// Makes the lists of the children of a cell that is split at lattice plane `value` across
+  /// `axis`. The parent's list stays as it is. Takes time linear in the length of the parent's
+  /// list.
   Children divide(ListRange parent, int axis, std::int32_t value);
+  /// Removes the lists of two children, and all lists that were made after them. `below` is the
+  /// list of the lower child.
   void release(ListRange below) { size_ = below.begin; }
 
-  /// Numbers of arena entries of the last divided cell that reach both sides of the plane: the
-  /// only ones that can meet the splitting face. Valid until the next `divide`.
+  /// Returns the numbers of the entries, of the cell that was divided last, whose triangles reach
+  /// both sides of the splitting plane. No other triangles can meet the splitting face. The numbers
+  /// are valid until the next `divide`.
   std::span<const Index> straddlers() const { return straddlers_; }
 
  private:
-  void make_room(std::size_t entries);
+  void make_room(std::size_t more_entries);
   void divide_straddler(const ListEntry& entry, int axis, std::int32_t value);
 
   const std::vector<LatticeTriangle>& triangles_;
-  std::unique_ptr<ListEntry[]> arena_;
-  std::size_t capacity_ = 0;
-  Index size_ = 0;
-  std::vector<ListEntry> above_;  // of the cell being divided
-  std::vector<Index> straddlers_;
-  Index all_ = 0;
+  std::unique_ptr<ListEntry[]> arena_;  // all lists
+  std::size_t capacity_ = 0;            // entries for which the arena has room
+  Index size_ = 0;                      // entries in use
+  std::vector<ListEntry> above_;        // the upper child's list while a cell is divided
+  std::vector<Index> straddlers_;       // numbers of entries
+  Index triangle_count_ = 0;
 };
 
 }  // namespace kdm
