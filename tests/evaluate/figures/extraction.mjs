@@ -2,7 +2,15 @@
 // Extraction alone: triangles a second, natively and in WebAssembly, and the share of its phases
 // natively. Medians of five; nothing to hold.
 import { runWasm } from '../../bench/engines.mjs';
-import { closedModels, contentOf, median, nameOf, native, printTable, sizes } from '../../bench/shared.mjs';
+import {
+  closedModels,
+  contentOf,
+  median,
+  nameOf,
+  native,
+  printTable,
+  sizes,
+} from '../../bench/shared.mjs';
 
 const phases = ['loops', 'vertices', 'faces'];
 const repeat = 5;
