@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The faces of the input as triangles over welded points: checked, and repaired as far as the
-// inside rule asks.
+// Turns the faces of the input into triangles over welded points, checks them, and repairs them as
+// far as the inside rule needs.
 #pragma once
 
 #include <vector>
@@ -18,7 +18,7 @@ struct InputFaces {
   std::vector<Index> source_faces;  ///< per triangle: the face of the input that it came from
   Topology topology;                ///< which sides of the triangles are joined
   Box bounds;                       ///< of the triangles
-  InputReport report;               ///< complete but for what depends on the lattice
+  InputReport report;               ///< complete, except for what depends on the lattice
   bool repair = false;  ///< the faces are to bound a solid, but do not form closed surfaces
 };
 
@@ -37,7 +37,8 @@ inline double tolerance_of(const BuildOptions& options, double diagonal) {
 /// may be open, and its faces stay as they are.
 ///
 /// Throws `kInvalidMesh` (no triangles, index out of range, coordinate not finite or beyond 1e150)
-/// and `kNotClosed` (open under a rule that asks for closed input, or holes too wide to be closed).
+/// and `kNotClosed` (the input is open under a rule that accepts closed input only, or has holes
+/// too wide to be closed).
 InputFaces prepare_faces(const Mesh& mesh, const BuildOptions& options);
 
 }  // namespace kdm

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Turns triangles so that neighbours agree.
+// Finds which triangles must be turned so that neighbours agree: they run along their common edge
+// in opposite directions.
 #pragma once
 
 #include <span>
@@ -24,8 +25,8 @@ struct PartDirection {
 struct NeighbourDirections {
   Marks must_turn;          ///< the triangles that must be turned
   std::vector<Index> part;  ///< for each triangle the number of its part
-  /// For each triangle the first one over the same three points; kNone if it is that itself. Such
-  /// a copy comes to face the same way as the first one and belongs to the same part.
+  /// For each triangle the first one over the same three points; kNone if it is the first one
+  /// itself. Such a copy comes to face the same way as the first one and belongs to the same part.
   std::vector<TriangleId> copy_of;
   std::vector<PartDirection> parts;  ///< in order of their first triangles
   Index contradictions = 0;          ///< edges whose two triangles cannot agree (Moebius strips)
@@ -33,10 +34,12 @@ struct NeighbourDirections {
 
 /// Finds the parts of a mesh and which triangles must be turned for neighbours to agree.
 ///
-/// Parts are joined by edges of exactly two triangles, copies counting once: an edge of more does
-/// not tell which triangles continue each other. Where the triangles of a part disagree, those that
-/// have less area together are turned. Where a part cannot be oriented, contradictions stay on some
-/// of the edges whose triangles disagreed before, the shortest ones that will do.
+/// Triangles belong to one part if they are joined by edges of exactly two triangles, where copies
+/// count once: an edge of more triangles does not tell which of them continue each other. Where the
+/// triangles of a part disagree, they form two groups that face opposite ways, and the group of
+/// less area is turned. Where a part cannot be oriented, neighbours still disagree on some edges
+/// after turning (`contradictions`); these are edges on which they disagreed before, and are chosen
+/// to be short.
 ///
 /// `points` must be scaled so that squares of areas neither overflow nor underflow. Takes time n
 /// log n in the edges that disagree, else linear.

@@ -18,7 +18,7 @@ struct OrientedPart {
   double area = 0;           ///< of its triangles without copies, in squared model units
   bool closed = false;       ///< once turned, it uses every edge equally often both ways
   bool oriented = true;      ///< its triangles agreed before
-  bool enclosed = false;     ///< fewer than 1/20 of the rays from it leave the mesh
+  bool enclosed = false;     ///< fewer than 1/20 of the rays that start on it leave the mesh
   bool flipped = false;      ///< most of its area must be turned
   bool sheet = false;        ///< it bounds nothing: nearly flat and open, or closed without volume
 };
@@ -26,8 +26,8 @@ struct OrientedPart {
 struct Orientation {
   Marks must_turn;          ///< the triangles that must be turned
   std::vector<Index> part;  ///< for each triangle the number of its part
-  /// For each triangle the first one over the same three points; kNone if it is that itself. Such
-  /// a copy comes to face the same way as the first one.
+  /// For each triangle the first one over the same three points; kNone if it is the first one
+  /// itself. Such a copy comes to face the same way as the first one.
   std::vector<TriangleId> copy_of;
   std::vector<OrientedPart> parts;  ///< in order of their first triangles
   Index flipped_triangles = 0;      ///< how many must be turned

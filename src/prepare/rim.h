@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Points and planes at the rim of a surface, which consists of the sides without opposite.
+// Computes points and planes at the rim of a surface, which consists of the triangle sides without
+// opposite. All coordinates and lengths are in lattice units.
 #pragma once
 
 #include "prepare/surface.h"
@@ -7,11 +8,11 @@
 namespace kdm {
 
 /// Returns the plane that contains a side of a triangle and stands upright on the triangle, whose
-/// normal is given. Its normal is zero if the triangle's is. Coordinates are lattice units here and
-/// below.
+/// normal is `face_normal`. If `face_normal` is zero, so is the normal of the plane.
 Plane rim_plane(const Surface& surface, SideId side, const Vec3& face_normal);
 
-/// Returns the point where the side crosses the lattice plane `value` of `axis`. It must cross it.
+/// Returns the point where the side crosses the lattice plane at `value` along `axis`. The side
+/// must cross this plane.
 Vec3 rim_point(const Surface& surface, SideId side, int axis, std::int32_t value);
 
 /// Returns about the middle of the part of the side that lies in the box.

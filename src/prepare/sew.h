@@ -9,12 +9,12 @@
 namespace kdm {
 
 /// Sews cracks: joins the ends of two rim sides that lie side by side, and returns how many pairs
-/// of sides were joined. A rim side is the only one along its edge. Two of them belong together if
-/// each is the nearest to the other, and if their ends are no further apart than `distance` and
-/// than half the shorter side; lengths are measured by the largest difference of coordinates, in
-/// the units of `points`. Points that are joined become the one with the lowest number, which moves
-/// to the mean of their positions; a triangle may come out with equal corners. Takes time n log n
-/// in the rim sides.
+/// of sides were joined. A rim side is a side of a triangle that is the only one along its edge.
+/// Two of them belong together if each is the nearest to the other, and if their ends are no
+/// further apart than `distance` and than half the shorter side; lengths are measured by the
+/// largest difference of coordinates, in the units of `points`. Points that are joined become the
+/// one with the lowest number, which moves to the mean of their positions; a triangle may come out
+/// with equal corners. Takes time n log n in the rim sides.
 Index sew_rims(double distance, std::vector<Triangle>& triangles, std::vector<Vec3>& points);
 
 }  // namespace kdm

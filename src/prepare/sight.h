@@ -19,8 +19,8 @@ class Sight {
         const Marks& left_out);
 
   /// Tells whether a ray that starts on triangle `from` meets no other triangle. Triangles nearer
-  /// to the origin than 1e-7 of the diagonal of the mesh's box are overlooked, so that faces that
-  /// lie on each other are not in each other's way. Rays do not slip through between triangles that
+  /// to the origin than 1e-7 of the diagonal of the mesh's box are ignored, so that faces that lie
+  /// on each other do not stop each other's rays. Rays do not slip through between triangles that
   /// share an edge. Takes logarithmic time on usual meshes. No component of `direction` may be 0.
   bool escapes(const Vec3& origin, const Vec3& direction, TriangleId from) const;
 

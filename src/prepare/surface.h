@@ -29,13 +29,14 @@ struct Surface {
   Topology topology;  ///< which sides of the triangles are joined
   InputReport report;
   bool sheet = false;   ///< it bounds no solid
-  bool repair = false;  ///< it is to bound a solid, but is not closed or not turned consistently
+  bool repair = false;  ///< it is to bound a solid, but it is not closed or its triangles do not
+                        ///< face consistently
 
   /// Returns whether sides of triangles may lack an opposite.
   bool has_rims() const { return sheet || repair; }
 };
 
-/// Checks the mesh, prepares its faces as the inside rule of the options asks (see
+/// Checks the mesh, prepares its faces for the inside rule of the options (see
 /// prepare/input_faces.h), rounds them to the lattice and turns a solid that is inside out. Throws
 /// `kInvalidMesh` and `kNotClosed`. Takes time linear in the number of faces, apart from sorting.
 Surface prepare_surface(const Mesh& mesh, const BuildOptions& options = {});
