@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Finds which closed parts of a mesh lie in which.
+// Finds which closed parts of a mesh lie inside which others.
 #pragma once
 
 #include <optional>
@@ -23,13 +23,14 @@ struct Enclosure {
 };
 
 /// Finds all pairs of closed parts of which one lies in the other, ascending by inner, then by
-/// outer part. The inner part is judged by its outermost vertices along the eight diagonals of
-/// space: each must be where the outer part's winding number is not 0, or on the outer part, and
-/// not all of them on it. Decides exactly if positions are about 1. `part_of` gives the part of
-/// each face, or kNone; `shells` describes the parts.
+/// outer part. Whether a part lies in another one is judged by its outermost vertices along the
+/// eight diagonals of space: each of them must lie on the outer part or where the outer part's
+/// winding number is not 0, and at least one must not lie on the outer part. Decides exactly if
+/// coordinates are scaled to about 1. `part_of` gives the part of each face, or kNone; `shells`
+/// describes the parts.
 ///
-/// There may be as many pairs as the square of the parts. Returns nothing if finding them would
-/// take more than about a second.
+/// The number of pairs may grow with the square of the number of parts. Returns nothing if finding
+/// them would take more than about a second.
 std::optional<std::vector<Enclosure>> find_enclosures(const Polygons& faces,
                                                       std::span<const Vec3> positions,
                                                       std::span<const Index> part_of,

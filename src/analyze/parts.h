@@ -13,7 +13,7 @@ namespace kdm {
 
 struct PartsReport {
   std::vector<MeshPart> parts;
-  bool nesting_known = true;  ///< false if too many closed parts overlap to find who lies in whom
+  bool nesting_known = true;  ///< false if too many closed parts overlap to find which lie in which
 };
 
 /// Describes each of `faults.parts`. `faults` and `loops` must be those of the mesh.
