@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Removing splits in place, and numbering a grid consecutively again.
+// Removes splits from a grid in place, and then numbers the grid consecutively again.
 //
 // Splits are removed one by one, without moving anything in the arrays: the cell becomes a leaf,
 // its two children and its four splitting edges with all their hits are dead from then on, and
 // every other edge keeps its hits under their numbers. While splits are removed,
-// - half-edges may still start in dead cells by `start`: the leaf that is meant is the living
-//   ancestor, which a union-find over the cells gives;
+// - half-edges may still start in dead cells by `start`: such a half-edge starts in the leaf that
+//   is the dead cell's living ancestor, which a union-find over the cells finds;
 // - planes may be appended in any order and lose their last hits;
 // - the numbers of cells and splits have holes, and sides without hits may be marked active.
 // So of the invariants in src/README.md, "no cell is lost", "planes come in the order of their
@@ -20,11 +20,11 @@ namespace kdm {
 /// Makes a leaf of `cell`, whose two children must be leaves, and joins it with them in
 /// `merged_cells`, where `find` gives a dead cell's living ancestor (it has the lowest number).
 /// Links must be changed by the caller: before `compact`, no half-edge of a living hit may be
-/// linked to one of the four splitting edges, and no link may pass between the two children, which
-/// is so by itself where the four edges have no hits. Takes constant time.
+/// linked to one of the four splitting edges, and no link may pass between the two children; where
+/// the four edges have no hits, there is no such link. Takes constant time.
 void remove_split(GridData& grid, CellId cell, DisjointSets& merged_cells);
 
-/// Numbers everything that lives consecutively, in the order it had: splits, cells, splitting
+/// Numbers everything that lives consecutively, in the order that it has: splits, cells, splitting
 /// edges, hits, half-edges with `opposite` and `start`, rims and corners; planes in the order of
 /// their first hits, without those that no hit needs. Drops the rims and corners of dead hits. Sets
 /// the active sides and the statistics that can be counted (cells, leaves, depth, hits, invented
@@ -33,7 +33,7 @@ void remove_split(GridData& grid, CellId cell, DisjointSets& merged_cells);
 /// and, beyond the grid, some bytes a cell and a hit.
 void compact(GridData& grid, DisjointSets& merged_cells);
 
-/// Does the same to a grid without removed splits: only planes can be out of order.
+/// Does the same to a grid from which no splits were removed; only planes can then be out of order.
 void compact(GridData& grid);
 
 }  // namespace kdm

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Statistics that can be counted in any grid.
+// Counts the statistics that follow from the grid alone.
 #pragma once
 
 #include "grid/grid_data.h"
@@ -11,8 +11,8 @@ namespace kdm {
 /// in cells and hits.
 void count_stats(GridData& grid);
 
-/// Counts the minimal faces whose links do not follow from their hits: those with more than two
-/// hits that are no strips.
+/// Counts the minimal faces whose links do not follow from their hits: faces with more than two
+/// hits, except strips.
 Index count_ambiguous_faces(const GridData& grid);
 
 }  // namespace kdm

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Visiting every minimal face that carries hits (paper 3.3).
+// Visits every minimal face that carries hits (paper 3.3). A minimal face is the rectangle in which
+// a side of one leaf meets a side of another.
 //
 // The two-dimensional trees of half-faces of paper 3.2 are the projections of the cell tree, so
 // they are not stored: the recursion starts at each splitting face with the two children and goes
@@ -7,10 +8,11 @@
 // it; a split across the rectangle divides it, and the new side is the split's own splitting edge
 // in the face's plane.
 //
-// Strips. If both sides are split at the same value, the one below the plane counts as infinitely
-// little below the other. Between the two lies a strip: a minimal face of no width between
-// diagonal leaves, whose two long sides are the coincident edges. With strips, every hit has
-// exactly three leaves and three minimal faces around it; uniform grids need no special case.
+// Strips. If the cells on both sides of the face are split at the same value, the split on the
+// lower side counts as lying infinitely little below the split on the upper side. Between the two
+// lies a strip: a minimal face of no width between diagonal leaves, whose two long sides are the
+// coincident edges. With strips, every hit has exactly three leaves and three minimal faces around
+// it; uniform grids need no special case.
 #pragma once
 
 #include <algorithm>
@@ -27,7 +29,7 @@ enum class EdgeOwner : std::uint8_t {
   kAbove   ///< a split on the upper side
 };
 
-/// One side of a minimal face: a range of hits of one splitting edge.
+/// One side of a minimal face: a range of the hits on one splitting edge.
 struct FaceEdge {
   HitRange hits;
   std::uint8_t slot = 0;  ///< of the hits' half-edges that cross this face
@@ -56,7 +58,8 @@ struct MinimalFace {
   }
 };
 
-/// Do the links across the face not follow from its hits, so that they had to be chosen?
+/// Returns whether links across the face had to be chosen, since more than one way to link its hits
+/// may be right.
 inline bool is_ambiguous(const MinimalFace& face) { return face.hit_count() > 2 && !face.strip(); }
 
 /// Returns the two coincident sides of a strip, which carry the same hits.
@@ -65,8 +68,9 @@ inline std::pair<const FaceEdge&, const FaceEdge&> long_sides(const MinimalFace&
   return {strip.edges[first], strip.edges[first + 2]};
 }
 
-/// Does the half-edge across the face of a hit on this edge start in the leaf below the face? Else
-/// it starts in the leaf above. `reversed` is the hit's.
+/// A hit on this edge has one half-edge that crosses the face. Returns whether this half-edge
+/// starts in the leaf below the face; if not, it starts in the leaf above. `reversed` tells whether
+/// the hit is reversed (see `Hit::reversed`).
 constexpr bool starts_below(const FaceEdge& edge, bool reversed) {
   // !reversed: slot 0 V0->V1, slot 2 V1->VN, slot 1 VN->V0; reversed: the other way.
   if (edge.owner == EdgeOwner::kFace) return !reversed;

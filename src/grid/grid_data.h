@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The kd-tree grid as flat arrays (paper 3.2), and the numbering that everything else refers to.
+// Keeps the kd-tree grid as flat arrays (paper 3.2), and defines the numbering that the rest of the
+// code refers to.
 //
 // Cells. Split k cuts one cell in two and makes cells 2k+1 (below) and 2k+2 (above); cell 0 is the
 // root. A split along axis w adds a splitting face, the rectangle that the plane has in common with
@@ -46,7 +47,8 @@
 
 namespace kdm {
 
-/// No leaf is deeper, midpoints have reached single lattice steps there. Recursions count on it.
+/// The greatest depth of a leaf. Where each split halves a cell, cells of this depth are one
+/// lattice unit wide. Recursions rely on the limit.
 inline constexpr int kMaxDepth = 3 * kLatticeBits;
 
 /// A node of the kd-tree: 8 bytes.
@@ -58,7 +60,8 @@ class Cell {
         packed_(static_cast<std::uint32_t>(value) | static_cast<std::uint32_t>(axis) << 21) {}
 
   bool leaf() const { return first_child_ == 0; }
-  /// The children on either side of the splitting plane. These and what follows: not of a leaf.
+  /// Return the children below and above the splitting plane. This and the functions up to `value`
+  /// must not be called for a leaf.
   CellId below() const { return first_child_; }
   CellId above() const { return first_child_ + 1; }
   SplitId split() const { return (first_child_ - 1) / 2; }
@@ -66,8 +69,8 @@ class Cell {
   int axis() const { return static_cast<int>(packed_ >> 21 & 3u); }
   std::int32_t value() const { return static_cast<std::int32_t>(packed_ & 0x1fffffu); }
 
-  /// Does a splitting edge that lies on this side of the cell, and is of a split within the cell,
-  /// carry a hit? Leaves have no active sides.
+  /// Returns whether this side of the cell is active: a split within the cell has a splitting edge
+  /// on the side that carries a hit. Leaves have no active sides.
   bool active(int axis, bool high) const { return (packed_ >> side_bit(axis, high) & 1u) != 0; }
   void set_active(int axis, bool high) { packed_ |= 1u << side_bit(axis, high); }
   void clear_active() { packed_ &= ~(63u << 23); }
@@ -89,9 +92,11 @@ struct Hit {
       : position(where), packed(plane | (reversed ? kReversed : 0u) | (leaving ? kLeaving : 0u)) {}
 
   PlaneId plane() const { return packed & kPlaneMask; }  ///< number in GridData::planes
-  /// Does the hit lead out of the solid as one goes up along the edge? Then its normal points up.
+  /// Returns whether the edge, followed upwards, leaves the solid at the hit. If so, the normal of
+  /// the hit's plane points up along the edge.
   bool leaving() const { return (packed & kLeaving) != 0; }
-  /// Does the hit's triangle run V0 VN V1?
+  /// Returns whether the hit's triangle runs V0 VN V1 rather than V0 V1 VN (see the top of the
+  /// file).
   bool reversed() const { return (packed & kReversed) != 0; }
 
   static constexpr std::uint32_t kLeaving = 1u << 31;
@@ -100,30 +105,32 @@ struct Hit {
 };
 static_assert(sizeof(Hit) == 8);
 
-/// The point where the rim of an open surface passes through a minimal face. There the surface's
-/// section with the face ends, which begins at a hit. On a sheet, the hit's half-edge across the
-/// face lies on the boundary; on a solid, it is linked to a hit of what closes the surface.
+/// The point where the rim of an open surface passes through a minimal face. The curve in which the
+/// surface meets the face begins at a hit and ends at this point. On a sheet, the hit's half-edge
+/// across the face lies on the boundary; on a solid, it is linked to a hit that was invented to
+/// close the surface.
 struct RimHit {
   HalfEdgeId half_edge;
   Vec3 point;   ///< on the face, lattice coordinates
   Vec3 normal;  ///< of the plane through the rim upright on the surface; zero if there is none
 };
 
-/// A corner of the surface in the leaf of a loop. The planes of the loop's hits do not meet there,
-/// as one of the faces that form the corner is not hit.
+/// A corner of the surface in a leaf, kept for a loop of half-edges in the leaf. It cannot be found
+/// from the planes of the loop's hits, as one of the faces that form the corner has no hit in the
+/// loop.
 struct KeptCorner {
   HalfEdgeId half_edge;  ///< of the loop's half-edges, the one with the lowest number
   Vec3 point;            ///< lattice coordinates
 };
 
-/// Number of splitting edge `i` (0 to 3) of a split.
+/// Returns the number of splitting edge `i` (0 to 3) of a split.
 constexpr EdgeId edge_of_split(SplitId split, int i) { return 4 * split + static_cast<EdgeId>(i); }
 
 /// A grid: its cells, the hits on their edges and the links between the hits' half-edges.
 struct GridData {
   Lattice lattice;
-  double tolerance = 0;     ///< how far the result may be off, lattice units; never 0 if built
-  std::vector<Cell> cells;  ///< cell 0 is the root; 2 * splits() + 1 of them
+  double tolerance = 0;              ///< how far the result may be from the input, lattice units
+  std::vector<Cell> cells;           ///< cell 0 is the root; 2 * splits() + 1 of them
   std::vector<HitId> edge_begin;     ///< per splitting edge its first hit; last, the number of hits
   std::vector<Hit> hits;             ///< edge by edge
   std::vector<HalfEdgeId> opposite;  ///< per half-edge the one it is linked to; kNone: boundary
@@ -132,40 +139,42 @@ struct GridData {
   /// normals point out of the solid.
   std::vector<Plane> planes;
   std::vector<Index> source_faces;  ///< per plane the number of its input face; kNone: invented
-  bool sheet = false;               ///< of no solid: half-edges may lie on the boundary
+  bool sheet = false;        ///< it is the grid of a sheet: half-edges may lie on the boundary
   std::vector<RimHit> rims;  ///< ascending by half-edge; a half-edge on the boundary may have none
   std::vector<KeptCorner> corners;  ///< ascending by half-edge; a loop has one at most
   GridStats stats;
   InputReport input;
 
   static constexpr std::uint32_t kStrip = 1u << 31;  ///< in `start`, beside the leaf
-  /// The leaf in which a half-edge starts.
+  /// Returns the leaf in which a half-edge starts.
   CellId start_leaf(HalfEdgeId half_edge) const { return start[half_edge] & ~kStrip; }
-  /// Is the minimal face that a half-edge crosses a strip?
+  /// Returns whether the minimal face that a half-edge crosses is a strip.
   bool crosses_strip(HalfEdgeId half_edge) const { return (start[half_edge] & kStrip) != 0; }
   HitRange edge_hits(EdgeId edge) const { return {edge_begin[edge], edge_begin[edge + 1]}; }
-  /// Hits of splitting edge `i` (0 to 3) of a split.
+  /// Returns the hits of splitting edge `i` (0 to 3) of a split.
   HitRange edge_hits(SplitId split, int i) const { return edge_hits(edge_of_split(split, i)); }
   const Plane& plane_of(HitId hit) const { return planes[hits[hit].plane()]; }
-  /// Was the hit made to close a hole, so that its plane is of no input face?
+  /// Returns whether the hit was invented to close a hole, so that its plane is that of no input
+  /// face.
   bool invented(HitId hit) const { return source_faces[hits[hit].plane()] == kNone; }
   Index splits() const { return static_cast<Index>(cells.size() / 2); }
   std::size_t bytes() const;
 };
 
-/// Number (0 to 3) of the splitting edge of a split along `axis` that lies on the side plane of
-/// its cell normal to `side_axis`, at the low or the high end.
+/// Returns the number (0 to 3) of the splitting edge of a split along `axis` that lies on the side
+/// plane of its cell normal to `side_axis`, at the low or the high end.
 constexpr int edge_on_side(int axis, int side_axis, bool high) {
   return next_axis(axis) == side_axis ? (high ? 1 : 3) : (high ? 2 : 0);
 }
 
-/// Axis along which splitting edge `i` (0 to 3) of a split along `axis` runs.
+/// Returns the axis along which splitting edge `i` (0 to 3) of a split along `axis` runs.
 constexpr int axis_of_edge(int axis, int i) {
   return i % 2 == 0 ? next_axis(axis) : previous_axis(axis);
 }
 
-/// Is the triangle of a hit on splitting edge `i` (0 to 3) reversed? The triangle's normal must
-/// point up the edge exactly if the hit is leaving.
+/// Returns whether the triangle of a hit on splitting edge `i` (0 to 3) is reversed: it is if the
+/// triangle V0 V1 VN has the wrong normal. The normal must point up the edge if the hit is leaving,
+/// else down.
 constexpr bool reversed_on_edge(int i, bool leaving) {
   // Edge 0 runs along u; V0 is at -w, V1 at +w and VN at -v: seen from +u that is
   // counter-clockwise. A quarter turn about w gives edge 1, along v. Edges 2 and 3 run against the
@@ -174,7 +183,8 @@ constexpr bool reversed_on_edge(int i, bool leaving) {
   return counter_clockwise != leaving;
 }
 
-/// Returns the half-edge that follows in the triangle of its hit, given whether that is reversed.
+/// Returns the half-edge that follows in the triangle of its hit, given whether the hit is
+/// reversed.
 constexpr HalfEdgeId next_half_edge(HalfEdgeId half_edge, bool reversed) {
   const Index slot = half_edge % 3;
   const HalfEdgeId first = half_edge - slot;
@@ -182,7 +192,7 @@ constexpr HalfEdgeId next_half_edge(HalfEdgeId half_edge, bool reversed) {
   return reversed ? first + (slot == 2 ? 0 : slot + 1) : first + (slot == 0 ? 2 : slot - 1);
 }
 
-/// Sets the active sides of all cells, of which none may be set before. Linear in the cells.
+/// Sets the active sides of all cells. No side may be active before. Linear in the cells.
 void mark_active_sides(GridData& grid);
 
 /// Computes the box of every cell, leaf or not.

@@ -3,8 +3,9 @@
 //
 // A link joins two half-edges that cross the same minimal face and run against each other: one
 // leads from the leaf below the face to the leaf above it, the other one back. Which pairs of a
-// face belong together is decided elsewhere (link/link.h); pairs of a solid's face must not cross
-// in the cyclic order of its hits, which nothing here sees. The functions take constant time.
+// face belong together is decided elsewhere (link/link.h); the pairs of a solid's face must not
+// cross in the cyclic order of its hits, which these functions cannot check. The functions take
+// constant time.
 #pragma once
 
 #include "geometry/assert.h"
@@ -24,8 +25,8 @@ inline CellId end_leaf(const GridData& grid, HalfEdgeId half_edge) {
   return grid.start_leaf(next_half_edge(half_edge, grid.hits[half_edge / 3].reversed()));
 }
 
-/// Do two half-edges cross the same minimal face against each other, so that they may be linked?
-/// Two leaves have one minimal face in common at most. All starts must be known.
+/// Returns whether two half-edges cross the same minimal face in opposite directions, so that they
+/// may be linked. Two leaves have one minimal face in common at most. All starts must be known.
 inline bool may_link(const GridData& grid, HalfEdgeId a, HalfEdgeId b) {
   return a != b && grid.start_leaf(a) == end_leaf(grid, b) &&
          grid.start_leaf(b) == end_leaf(grid, a) && grid.crosses_strip(a) == grid.crosses_strip(b);
@@ -49,10 +50,10 @@ inline HalfEdgeId unlink(GridData& grid, HalfEdgeId half_edge) {
   return partner;
 }
 
-/// Links `a` with `b` in place of the links that they have, and the two half-edges that lose their
-/// partners by this with each other. All four cross one minimal face, and the new pairs run against
-/// each other because the old ones did. Where only one of the two had a link (on a sheet), its
-/// partner is left on the boundary. Changes nothing if `a` and `b` are linked already.
+/// Links `a` with `b` in place of the links that they have, and links the two half-edges that lose
+/// their partners thereby with each other. All four cross one minimal face, and the new pairs run
+/// against each other because the old ones did. Where only one of the two had a link (on a sheet),
+/// its partner is left on the boundary. Changes nothing if `a` and `b` are linked already.
 inline void relink(GridData& grid, HalfEdgeId a, HalfEdgeId b) {
   KDM_ASSERT(may_link(grid, a, b), "links of a face join its own hits");
   if (grid.opposite[a] == b) return;

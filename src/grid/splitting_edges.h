@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Visiting every splitting edge of a grid with its place and its hits.
+// Visits every splitting edge of a grid, with its place and its hits.
 #pragma once
 
 #include <span>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The half-edges of a grid that is loaded. Where they start follows from the minimal faces, and so
-// do most links; the other links are read.
+// Reads the links of a grid that is loaded. Where half-edges start, and most of their links,
+// follows from the minimal faces; only the other links are stored.
 #pragma once
 
 #include <fmt/format.h>
@@ -17,8 +17,8 @@
 namespace kdm {
 
 /// Reads the links of each minimal face that it is called with. All faces come first, in the order
-/// of `for_each_face`, then `finish`, then rims and corners. Throws what `ByteReader::fail` does if
-/// the bytes are no links of these faces.
+/// of `for_each_face`, then `finish`, then rims and corners. Throws `kParseError` if the bytes are
+/// no links of these faces.
 class LinkReader {
  public:
   LinkReader(ByteReader& bytes, GridData& grid) : bytes_(bytes), grid_(grid) {

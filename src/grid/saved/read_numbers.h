@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reading real numbers of a saved grid, each checked against its range.
+// Reads real numbers of a saved grid and checks each against its range.
 #pragma once
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which yes-or-no questions must be answered to know a sheet's links across one minimal face.
+// Lists the yes-or-no questions whose answers determine a sheet's links across one minimal face.
 // Saving writes the answers, loading reads them.
 #pragma once
 
@@ -13,7 +13,7 @@ namespace kdm {
 
 class SheetLinkDecisions {
  public:
-  /// Asks what it must know of the links of one face and tells these.
+  /// Asks the questions for one face and reports the links that follow from the answers.
   ///
   /// The hits round the face are numbered in cyclic order; `starts_below[i]` says where the
   /// half-edge of hit i starts. For each hit i that has no partner yet while later hits without
