@@ -14,14 +14,15 @@
 
 namespace kdm {
 
-/// An intersection of a triangle with a grid edge, as it was found.
+/// An intersection of a triangle with a grid edge, as the search along the edge finds it.
 struct Crossing {
   LinePosition position;
   TriangleId triangle;  ///< kNone: invented where the surface has a hole
   bool leaving;         ///< the triangle's normal points up the edge
 };
 
-/// A crossing and what the inside model says of it: 12 bytes, for construction keeps all of them.
+/// A crossing and what the inside model says of it: 12 bytes, since construction keeps one for
+/// every intersection.
 class ClassifiedCrossing {
  public:
   ClassifiedCrossing(LinePosition position, TriangleId triangle, int state_after, bool kept,
@@ -41,7 +42,7 @@ class ClassifiedCrossing {
   /// Returns whether the crossing bounds the solid (of a sheet: always), so that it becomes a hit.
   bool kept() const { return (packed_ & kKept) != 0; }
   /// Returns whether the edge, followed upwards, leaves the solid here; this may differ from the
-  /// direction of the triangle. It means something for crossings that are kept only.
+  /// direction of the triangle. The answer has a meaning only if the crossing is kept.
   bool leaving() const { return (packed_ & kLeaving) != 0; }
 
  private:
@@ -59,7 +60,7 @@ static_assert(sizeof(ClassifiedCrossing) == 12);
 /// and ascend along it.
 struct EdgeCrossings {
   std::vector<ClassifiedCrossing> all;
-  std::vector<Index> edge_begin{0};  ///< per splitting edge its first crossing; then their number
+  std::vector<Index> edge_begin{0};  ///< per splitting edge its first crossing; last, their number
 
   std::span<const ClassifiedCrossing> of(EdgeId edge) const {
     return {all.data() + edge_begin[edge], edge_begin[edge + 1] - edge_begin[edge]};

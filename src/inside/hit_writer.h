@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The one place where crossings become the grid's hits.
+// Turns crossings into the hits of the grid; nothing else writes hits when a grid is built.
 #pragma once
 
 #include <vector>
@@ -18,15 +18,16 @@ namespace kdm {
 class HitWriter {
  public:
   /// Leaves every splitting edge of `grid` without hits. Both arguments must outlive the writer.
-  /// `expected_hits` is the number of hits that memory is taken for.
+  /// Reserves memory for `expected_hits` hits; more may follow.
   HitWriter(const Surface& surface, std::size_t expected_hits, GridData& grid);
 
-  /// Returns the grid. Before the first edge is written, none has hits in it.
+  /// Returns the grid. Its edges have no hits until they are written.
   const GridData& grid() const { return grid_; }
 
   /// Adds a hit of a triangle on an edge. Hits come edge by edge, ascending along each.
   void add(const SplittingEdge& edge, const ClassifiedCrossing& crossing);
-  /// Adds a hit that no triangle makes. The normal of its plane points out of the solid.
+  /// Adds a hit that is not made by a triangle but invented to close a hole. The normal of its
+  /// plane points out of the solid.
   void add_invented(const SplittingEdge& edge, LinePosition position, bool leaving,
                     const Plane& plane);
   /// Ends an edge. To be called for every edge, also for those without hits.
@@ -43,7 +44,7 @@ class HitWriter {
 
   const Surface& surface_;
   GridData& grid_;
-  std::vector<PlaneId> plane_number_;  // two a triangle: of its plane as it is, and turned
+  std::vector<PlaneId> plane_number_;  // per triangle two: of its plane as it is, and turned
   std::vector<TriangleId> triangle_of_hit_;
 };
 

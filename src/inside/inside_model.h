@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-// What counts as inside: the interface through which construction asks, whatever the answer rests
-// on.
+// Defines the interface through which construction asks what lies inside the solid.
 //
 // Every grid vertex has a state, an `int` that only the model understands. With winding numbers it
-// is the winding number itself. Boolean operations will number the combinations of winding numbers,
-// one of each operand, that they come across, and use these numbers as states; then only the two
-// functions `state_after` and `is_inside` (inside/winding.h) have to change. States must depend on
-// the place alone, so that cells agree on them however they are split.
+// is the winding number itself. Boolean operations will have a winding number for each operand at
+// every point; they will number the combinations that occur and use these numbers as states. Then
+// only the two functions `state_after` and `is_inside` (inside/winding.h) have to change. The state
+// must depend on the position of the vertex alone, so that all cells with the vertex agree on it.
 #pragma once
 
 #include <vector>
@@ -31,25 +30,25 @@ class InsideModel {
  public:
   virtual ~InsideModel() = default;
 
-  /// Returns the state of a grid vertex. `counted` is the state that the crossings between the
-  /// vertex and another one, on the same grid line, lead to; it is returned unless the model has
-  /// other means.
+  /// Returns the state of a grid vertex. `counted` is the state that follows from the state of
+  /// another vertex on the same grid line by counting the crossings between the two; a model that
+  /// counts returns it, other models may ignore it.
   virtual int state_at(const LatticePoint& vertex, int counted) = 0;
 
-  /// Sorts the crossings that were found on an edge and appends them, classified, to `planned`.
-  /// They ascend along the edge.
+  /// Sorts the crossings `found` on an edge by their position, classifies them, and appends them to
+  /// `planned` in ascending order.
   virtual void plan_edge(const GridEdge& edge, std::vector<Crossing>& found,
                          std::vector<ClassifiedCrossing>& planned) = 0;
 
-  /// Writes the hits of all splitting edges when all cells are made. `planned` holds what
-  /// `plan_edge` appended for them.
+  /// Writes the hits of all splitting edges. To be called when all cells are made. `planned` holds
+  /// for each edge what `plan_edge` appended.
   virtual void finish_edges(const EdgeCrossings& planned, HitWriter& writer) = 0;
 
   /// Returns how much was computed so far to find states, in units of WindingField::work; 0 if
   /// states are only counted.
   virtual std::size_t work() const { return 0; }
 
-  /// Notes in the statistics what the model chose by itself.
+  /// Writes to the statistics what the model chose itself, such as a winding threshold.
   virtual void report(GridStats& stats) const { static_cast<void>(stats); }
 };
 

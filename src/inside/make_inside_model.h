@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which model of inside and outside suits a surface.
+// Chooses the model of inside and outside that suits a surface.
 #pragma once
 
 #include <memory>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Hits for a segment of a grid edge whose crossings contradict each other or its ends.
+// Decides which crossings of a segment of a grid edge are hits where they contradict each other or
+// the states of the segment's ends.
 #pragma once
 
 #include <vector>
@@ -9,7 +10,8 @@
 
 namespace kdm {
 
-/// A part of a grid line with a grid vertex at either end, which is known to be inside or not.
+/// A part of a grid line between two grid vertices; of each vertex it is known whether it is
+/// inside.
 struct Segment {
   int axis;
   LatticePoint low;

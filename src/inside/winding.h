@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Winding numbers along a grid edge, and which of its crossings bound the solid (paper 5.2).
+// Follows the winding number along a grid edge and finds which of the edge's crossings bound the
+// solid (paper 5.2).
 #pragma once
 
 #include <vector>
@@ -30,14 +31,17 @@ inline int state_after(int winding, const Crossing& crossing) {
   return winding + (crossing.leaving ? -1 : 1);
 }
 
-/// Sorts crossings up the edge; those at one position by the number of their triangle.
+/// Sorts crossings by ascending position along the edge; crossings at the same position are sorted
+/// by the number of their triangle.
 void sort_crossings(std::vector<Crossing>& crossings);
 
 /// Sorts the crossings found on one edge, follows the winding number up the edge from
-/// `winding_below`, and appends each crossing to `classified`. Where the inside rule changes, one
-/// crossing is kept. Crossings at one position count together, so that no stretch of length zero
-/// survives; of these the first that runs the way of the change is kept, or the first of all if
-/// none does. Returns the winding number at the upper end.
+/// `winding_below`, and appends each crossing to `classified`. Where points below and above a
+/// crossing differ in whether they are inside, the crossing is kept. Crossings at the same position
+/// are taken together, so that no inside or outside stretch has length zero: if points below and
+/// above them differ, one of them is kept, namely the first that leaves or enters the solid as the
+/// change demands or, if there is none, the first of all. Returns the winding number at the upper
+/// end.
 int classify_crossings(std::vector<Crossing>& found, int winding_below, InsideRule rule,
                        std::vector<ClassifiedCrossing>& classified);
 

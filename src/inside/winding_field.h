@@ -33,8 +33,9 @@ class WindingField {
   /// is within about 0.01 of the threshold, the answer may be wrong. That happens at holes only:
   /// beside a triangle, winding numbers are about one half away from the threshold.
   bool inside(const Vec3& p) const;
-  /// Does the same for a grid vertex, which is read as shifted by (e, e^2, e^3), e infinitesimal
-  /// (see geometry/predicates.h). On which side of each triangle it lies is exact.
+  /// Tells whether a grid vertex is inside. The vertex is read as shifted by (e, e^2, e^3), e
+  /// infinitesimal (see geometry/predicates.h). On which side of each triangle the vertex lies is
+  /// decided exactly.
   bool inside(const LatticePoint& p) const;
   /// Returns the gradient of the winding number, per lattice unit. It points towards the inside.
   /// The triangles close to the point count exactly, those far away as in the finer sum.

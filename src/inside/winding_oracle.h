@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Inside and outside of surfaces that are not closed or not turned consistently.
+// Tells inside from outside for surfaces that are not closed, or whose triangles do not face
+// consistently.
 #pragma once
 
 #include <cstdint>
@@ -13,9 +14,9 @@
 
 namespace kdm {
 
-/// Tells inside (state 1) from outside (0) by the generalised winding number of the place, and
-/// makes hits that agree with it. Crossings of such a surface may contradict each other, so states
-/// are not counted. Where the surface has a hole, hits are invented.
+/// Tells inside (state 1) from outside (0) by the generalised winding number, and makes hits that
+/// agree with this. The crossings of such a surface may contradict each other, so states are not
+/// found by counting crossings. Where the surface has a hole, hits are invented.
 class WindingOracle final : public InsideModel {
  public:
   /// Points whose winding number is above `threshold` are inside; 0 stands for a threshold that
@@ -27,7 +28,7 @@ class WindingOracle final : public InsideModel {
   int state_at(const LatticePoint& vertex, int counted) override;
 
   /// Classifies crossings as far as that is possible before the splits of other cells bring more
-  /// grid vertices onto the edge. Invents none.
+  /// grid vertices onto the edge. Invents no crossings; `finish_edges` does.
   void plan_edge(const GridEdge& edge, std::vector<Crossing>& found,
                  std::vector<ClassifiedCrossing>& planned) override;
 
