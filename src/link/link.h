@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Linking half-edges across minimal faces (paper 2.1, 2.3.2).
+// Links half-edges across minimal faces (paper 2.1, 2.3.2).
 #pragma once
 
 #include <span>
@@ -12,10 +12,10 @@ namespace kdm {
 
 /// Links all half-edges of a grid whose cells and hits are finished: fills `opposite`, `start` and
 /// `rims`, and counts ambiguous and guessed faces. `triangle_of_hit` names the triangle of the
-/// surface that makes each hit, kNone for invented hits. A solid's half-edges are all linked; a
-/// sheet's that find no partner stay on the boundary. Throws if a solid's hits have no partners,
-/// which no sound construction leaves. Linear in cells and hits, but for faces with many hits (see
-/// link/match_face.h).
+/// surface that makes each hit, kNone for invented hits. A solid's half-edges are all linked;
+/// half-edges of a sheet that find no partner stay on the boundary. Throws if a solid's half-edge
+/// has no partner, which can only happen if construction is at fault. Takes time linear in cells
+/// and hits, except for faces with many hits (see link/match_face.h).
 void link_half_edges(const Surface& surface, std::span<const TriangleId> triangle_of_hit,
                      Pairing pairing, GridData& grid);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The two rules by which the hits round one minimal face are paired: a solid's and a sheet's.
+// Pairs the hits round one minimal face: by one rule for solids, by another one for sheets.
 #pragma once
 
 #include <span>
@@ -17,12 +17,14 @@ namespace kdm {
 struct FaceMatch {
   std::vector<Index> partner;  ///< per hit: the place of its partner in the outline, or kNone
   std::vector<RimHit> rims;    ///< where the surface ends within the face; in no order
-  bool guessed = false;        ///< a trace of the surface was asked for and did not decide all
+  bool guessed = false;        ///< the surface was traced, but traces did not decide all pairs
 };
 
-/// Pairs all hits of a solid's face. Two hits belong together; among more, several pairings make
-/// manifolds of half-edges, and which one is right is geometry (paper 2.1): traces decide first,
-/// then the least deviation from the hits' tangents. Pairs are compatible and do not cross.
+/// Pairs all hits of a solid's face. If there are just two hits, they are a pair. If there are
+/// more, several pairings would make the result manifold, and the geometry tells which is right
+/// (paper 2.1): first the pairs are made that traces across the surface find (link/trace.h), then
+/// pairs with the least deviation from the hits' tangents (link/tangents.h). The half-edges of a
+/// pair run in opposite directions across the face, and pairs do not cross.
 class SolidMatcher {
  public:
   /// Refers to the surface, to the grid and to the numbers of the triangles that make its hits.
@@ -30,8 +32,9 @@ class SolidMatcher {
                const GridData& grid)
       : surface_(surface), triangle_of_hit_(triangle_of_hit), pairing_(pairing), grid_(grid) {}
 
-  /// Throws if not as many half-edges lead one way across the face as the other way. Cubic in the
-  /// number of hits; linear beyond 256 of them, where neighbours are paired.
+  /// Throws if the half-edges that lead upwards across the face are not as many as those that lead
+  /// downwards. Takes time cubic in the number of hits; linear if there are more than 256, where
+  /// neighbours are paired.
   void operator()(const MinimalFace& face, const std::vector<OutlineHit>& outline,
                   FaceMatch& match);
 
@@ -51,10 +54,11 @@ class SolidMatcher {
 /// Pairs hits of a sheet's face as far as they belong together (paper 2.3.2). The surface's section
 /// with the face runs from hit to hit, or from a hit to the rim: the first two are paired, the last
 /// one stays alone, and the point where the rim passes through the face is kept, because the
-/// vertices at both ends of the boundary edge belong on the rim. Half-edges of one direction may
-/// follow each other round a sheet's face; traced pairs cross where the input crosses itself.
-/// Hits that no trace decides are paired at the least deviation, as many as possible and without
-/// crossings; so are two rims within rounding of each other, which are a crack of the input.
+/// vertices at both ends of the boundary edge belong on the rim. Round a sheet's face, half-edges
+/// of the same direction may follow each other. Pairs found by traces may cross: they do where the
+/// input crosses itself. Hits that no trace decides are paired at the least deviation, as many as
+/// possible and without crossings; so are two hits whose traces end at rims that lie within
+/// rounding of each other, because such rims are a crack of the input.
 class SheetMatcher {
  public:
   /// Refers to the surface, to the grid and to the numbers of the triangles that make its hits.
@@ -62,7 +66,7 @@ class SheetMatcher {
                const GridData& grid)
       : surface_(surface), triangle_of_hit_(triangle_of_hit), pairing_(pairing), grid_(grid) {}
 
-  /// Cubic in the number of hits; linear beyond 256 of them.
+  /// Takes time cubic in the number of hits; linear if there are more than 256.
   void operator()(const MinimalFace& face, const std::vector<OutlineHit>& outline,
                   FaceMatch& match);
 

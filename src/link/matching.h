@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Pairing points on a circle without crossings: at the least cost, or as brackets pair.
+// Pairs points on a circle without crossings: at the least cost, or as opening and closing brackets
+// are paired.
 #pragma once
 
 #include <functional>
@@ -20,11 +21,11 @@ std::vector<Index> match_without_crossings(Index count,
 /// paired. Returns each point's partner. Linear time.
 std::vector<Index> match_brackets(const std::vector<bool>& opens);
 
-/// Pairs as many of the points 0 to count - 1 as can be paired without crossings if only those with
-/// `may_pair(i, j)`, i < j, are; among such pairings it takes the one with the least sum of
-/// `cost(i, j)`. Returns each point's partner, or kNone. Cubic time. More than 256 points are not
-/// paired at the least cost: each one takes the last point before it that is still free, if it may.
-/// This takes linear time.
+/// Pairs as many of the points 0 to count - 1 as possible, without crossings, where points i < j
+/// may be a pair only if `may_pair(i, j)`. Of all pairings with as many pairs, takes the one with
+/// the least sum of `cost(i, j)`. Returns each point's partner, or kNone. Cubic time. More than 256
+/// points are not paired at the least cost: each point is paired with the last point before it that
+/// is still free, if the two may be a pair. This takes linear time.
 std::vector<Index> match_some(Index count, const std::function<bool(Index, Index)>& may_pair,
                               const std::function<double(Index, Index)>& cost);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The outline of a minimal face: its hits in cyclic order, each with the half-edge across the face.
+// Lists the outline of a minimal face: its hits in cyclic order, each with its half-edge that
+// crosses the face.
 #pragma once
 
 #include <vector>
@@ -13,8 +14,8 @@ struct OutlineHit {
   HalfEdgeId half_edge;  ///< the one of the hit's three that crosses the face
   HitId hit;
   int side;           ///< of the face, 0 to 3 as splitting edges are numbered
-  bool starts_below;  ///< does the half-edge start in the leaf below the face?
-  bool ascending;     ///< does the outline run up the grid edge here?
+  bool starts_below;  ///< whether the half-edge starts in the leaf below the face
+  bool ascending;  ///< whether the outline, followed in cyclic order, runs up the hit's grid edge
 };
 
 /// Collects the hits round the face, counter-clockwise.
@@ -27,7 +28,8 @@ inline void collect_outline(const GridData& grid, const MinimalFace& face,
   });
 }
 
-/// Do the half-edges run against each other, so that they may be linked?
+/// Returns whether the half-edges cross the face in opposite directions, so that they may be
+/// linked.
 inline bool compatible(const OutlineHit& a, const OutlineHit& b) {
   return a.starts_below != b.starts_below;
 }

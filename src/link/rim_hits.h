@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a grid keeps of the rims of an open surface.
+// Makes and sorts the rim hits of a grid: the points where the rim of an open surface passes
+// through minimal faces.
 #pragma once
 
 #include "grid/faces.h"
@@ -7,9 +8,9 @@
 
 namespace kdm {
 
-/// Makes what the grid keeps where a rim passes through a minimal face: `side` is the triangle's
-/// side on the rim, `half_edge` that of the hit at the other end of the surface's section with the
-/// face.
+/// Returns the rim hit for a point where the rim passes through the face. `side` is the triangle
+/// side on the rim that crosses the face. The curve in which the surface meets the face runs from
+/// this point to a hit, and `half_edge` is the half-edge of this hit that crosses the face.
 RimHit rim_hit(const Surface& surface, const MinimalFace& face, HalfEdgeId half_edge, SideId side);
 
 /// Sorts the grid's rim hits by half-edge, so that they can be found by binary search.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The surface's tangent lines at the hits of a minimal face, and how well two of them fit.
+// Finds the surface's tangent lines at the hits of a minimal face, and measures how well two hits
+// fit.
 #pragma once
 
 #include <vector>
@@ -19,8 +20,9 @@ void find_tangents(const GridData& grid, const MinimalFace& face,
                    const std::vector<OutlineHit>& outline, std::vector<Tangent>& tangents);
 
 /// Measures how badly two hits fit each other: the square of the first hit's distance from the
-/// second one's tangent line, plus the converse, plus a millionth of the hits' squared distance,
-/// which decides between pairs that fit equally well.
+/// second one's tangent line, plus the square of the second hit's distance from the first one's,
+/// plus a millionth of the hits' squared distance, which decides between pairs that fit equally
+/// well.
 double deviation(const Tangent& a, const Tangent& b);
 
 }  // namespace kdm

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Following the input's surface across a minimal face, from hit to hit.
+// Follows the input's surface across a minimal face, from hit to hit.
 #pragma once
 
 #include <span>
@@ -24,15 +24,17 @@ struct Traced {
 };
 
 /// Walks from ends[start] through the triangles that cross the lattice plane at `value` along
-/// `axis`, until one of them is another end's or the surface ends. The rectangle on that plane is
-/// given by its corners' coordinates on the two axes after `axis`. On embedded input every walk
-/// arrives; else one may leave the rectangle where the inside rule dropped the surface's hits.
+/// `axis`, until it comes to the triangle of another end, or to a rim of the surface. The rectangle
+/// on that plane is given by its corners' coordinates on the two axes after `axis`. If the input
+/// does not cross itself, every walk arrives. Otherwise a walk may leave the rectangle at a
+/// crossing that the inside rule did not make a hit of.
 Traced trace(const Surface& surface, int axis, std::int32_t value,
              const std::array<std::int32_t, 2>& lo, const std::array<std::int32_t, 2>& hi,
              std::span<const TraceEnd> ends, Index start);
 
-/// Traces from each hit of a face's outline. The `end` of a result is a place in the outline, kept
-/// only where the two traces arrive at each other and their half-edges are compatible.
+/// Traces from each hit of a face's outline. `end` of a result is a place in the outline; it is set
+/// only where the traces from both hits arrive at each other and the hits' half-edges are
+/// `compatible`.
 void trace_outline(const Surface& surface, std::span<const TriangleId> triangle_of_hit,
                    const MinimalFace& face, const std::vector<OutlineHit>& outline,
                    std::vector<Traced>& traced);
