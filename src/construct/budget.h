@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Limits for surfaces that no number of splits meets.
+// Limits the effort for surfaces to which no number of splits brings the result within the
+// tolerance.
 #pragma once
 
 #include <algorithm>
@@ -10,16 +11,17 @@ namespace kdm {
 
 /// How many splits, and how much work on winding numbers, one attempt to construct the cells may
 /// take. A surface that is to be repaired may cross itself and end everywhere; then no tolerance is
-/// met, and winding numbers take long. An attempt that goes beyond its budget is given up, and
-/// the surface is met less closely by the next one.
+/// met, and winding numbers take long. An attempt that goes beyond its budget is given up, and the
+/// next one has a wider tolerance.
 class Budget {
  public:
   /// Makes a budget without limits.
   Budget() = default;
 
-  /// Makes the budget for a surface to be repaired. `work` counts as InsideModel::work does, and
-  /// what it was when the attempt began does not count. The limits were found by trial: they lie
-  /// beyond what any repaired model took whose result showed more than its surface's disorder.
+  /// Makes the budget for a surface to be repaired. `work` is the value of InsideModel::work when
+  /// the attempt begins; only work beyond it counts. The limits were found by trial: they are above
+  /// what was needed by any model whose result gained by the effort; models that need more only
+  /// reproduce the disorder of their surface.
   static Budget for_repair(std::size_t triangles, std::size_t work) {
     constexpr std::size_t kSplits = 300000;
     constexpr std::size_t kSplitsPerTriangle = 32;
@@ -42,7 +44,7 @@ class Budget {
     return true;
   }
 
-  /// Returns whether all is done within the limits.
+  /// Returns whether no limit was reached.
   bool sufficed() const { return splits_left_ > 0; }
   /// Returns the fraction of the construction that was done when a limit was reached; 1 if none
   /// was.

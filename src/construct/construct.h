@@ -10,20 +10,20 @@
 
 namespace kdm {
 
-/// What construction says beside the grid.
+/// What construction returns beside the grid that it fills.
 struct ConstructedCells {
   double tolerance;  ///< to which the cells were made, lattice units
-  /// Per hit the triangle of the surface that makes it; kNone for hits that close a hole. Links and
-  /// corners follow the surface by it; the finished grid does without.
+  /// Per hit the triangle of the surface that makes it; kNone for hits that close a hole. The steps
+  /// that link half-edges and find corners need it; the finished grid does not keep it.
   std::vector<TriangleId> triangle_of_hit;
 };
 
-/// Splits cells until the rule that the options choose is content, and fills the cells, splitting
-/// edges, hits, planes and source faces of `grid`; half-edges are linked by a later step. Grids of
-/// the same surface and options are the same. `tolerance` is in lattice units, and no cell is
-/// deeper than `depth`. The tolerance is widened, and the cells are made anew, where a surface to
-/// be repaired would take more than a fixed budget of splits and winding numbers (see Budget).
-/// Throws `kAborted` if `progress` says so.
+/// Splits cells until the split rule that the options choose asks for no more splits, and fills the
+/// cells, splitting edges, hits, planes and source faces of `grid`; half-edges are linked by a
+/// later step. Grids of the same surface and options are the same. `tolerance` is in lattice units,
+/// and no cell is deeper than `depth`. The tolerance is widened, and the cells are made anew, where
+/// a surface to be repaired would take more than a fixed budget of splits and winding numbers (see
+/// Budget). Throws `kAborted` if `progress` says so.
 ConstructedCells construct_cells(const Surface& surface, const BuildOptions& options,
                                  double tolerance, int depth, const Progress& progress,
                                  GridData& grid);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The crossings of the input's triangles with the four splitting edges of a split (paper 5.1.1).
+// Finds the crossings of the input's triangles with the four splitting edges of a split (paper
+// 5.1.1).
 #pragma once
 
 #include <array>
@@ -11,14 +12,16 @@
 
 namespace kdm {
 
-/// Finds which triangles cross the edges of a splitting face, and where. Which do, and between
-/// which lattice planes, is exact (geometry/predicates.h).
+/// Finds which triangles cross the edges of a splitting face, and where. Decides exactly which
+/// triangles cross an edge and between which lattice planes they do; only the position between
+/// these planes is rounded (geometry/predicates.h).
 class CrossingSearch {
  public:
   explicit CrossingSearch(const std::vector<LatticeTriangle>& triangles) : triangles_(triangles) {}
 
-  /// Searches the four splitting edges that the split adds to the cell with this box. `lists` has
-  /// just divided that cell's triangles; those that reach both sides of the plane are tested.
+  /// Searches the four splitting edges that the split adds to the cell with this box. `lists` must
+  /// just have divided the triangles of this cell; only triangles that reach both sides of the
+  /// splitting plane are tested.
   void run(const LatticeBox& box, const Split& split, const TriangleLists& lists);
 
   /// Returns the crossings found on splitting edge `i` (0 to 3), in no particular order. They may
