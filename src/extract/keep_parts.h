@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Parts of the result that are left out: on request, or because they are crumbs.
+// Leaves parts of the result out: on request, or because they are crumbs (see `keep_parts`).
 #pragma once
 
 #include "kdmanifold/extract.h"
@@ -8,15 +8,16 @@ namespace kdm {
 
 /// What `keep_parts` left out.
 struct KeptParts {
-  Index dropped = 0;  ///< parts left out, crumbs apart
+  Index dropped = 0;  ///< number of parts left out, not counting crumbs
   Index crumbs = 0;
-  double invented_area = 0;  ///< of the kept faces that are of no input face, model units
+  double invented_area = 0;  ///< area of the kept faces that close holes, in squared model units
 };
 
-/// Takes all parts out of a closed, oriented mesh but those that `wanted` says. Crumbs go in any
-/// case: slivers between surfaces that lie within `tolerance` of each other but do not meet, next
-/// to a hole that was closed. They have a face of no source, are thinner than the tolerance on
-/// average, and enclose a void or are no larger than 16 times the tolerance.
+/// Keeps the parts of a closed, oriented mesh that `wanted` names, and removes all others. Crumbs
+/// are always removed. They are slivers between surfaces that lie within `tolerance` of each other
+/// but do not meet, next to a hole that was closed. A crumb has a face that comes from no input
+/// face, is thinner than the tolerance on average, and encloses a void or is no larger than 16
+/// times the tolerance.
 KeptParts keep_parts(Parts wanted, double tolerance, Mesh& mesh);
 
 }  // namespace kdm

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far apart things must be for double precision to tell them apart.
+// Defines how far apart points must be, and how large angles, so that double precision suffices.
 #pragma once
 
 #include <cmath>
@@ -8,9 +8,11 @@
 
 namespace kdm {
 
-/// Points this far off a side, in lattice units, are clear of it whatever is rounded in between.
+/// A point at least this far from a side of a box or face, in lattice units, lies on the computed
+/// side of it in spite of all rounding.
 inline constexpr double kClear = 1.0 / 32;
-/// Smaller sines than this multiply what is rounded too much.
+/// The least sine of an angle by which lengths are divided: a smaller one would enlarge rounding
+/// errors too much.
 inline constexpr double kLeastSine = 1.0 / 4096;
 
 inline bool nearly_parallel(const Vec3& direction, int axis) {

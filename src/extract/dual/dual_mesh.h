@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The dual surface as half-edges: one triangle a hit, one vertex a loop.
+// Represents the dual surface as half-edges: at first with one triangle for each hit and one vertex
+// for each loop.
 #pragma once
 
 #include <vector>
@@ -9,7 +10,8 @@
 
 namespace kdm {
 
-/// Half-edges 3t, 3t+1, 3t+2 run round triangle t. Triangle t is hit t's, until more are added.
+/// A triangle mesh of half-edges. Half-edges 3t, 3t+1, 3t+2 run round triangle t. At first triangle
+/// t stands for hit t; triangles that are added later have higher numbers.
 struct DualMesh {
   std::vector<HalfEdgeId> opposite;  ///< kNone on the boundary
   std::vector<VertexId> vertex;      ///< in which the half-edge starts; kNone in dropped triangles
@@ -26,32 +28,35 @@ struct DualMesh {
   /// Counts vertices, also dropped ones.
   Index vertices() const { return static_cast<Index>(first_half_edge.size()); }
   bool dropped(TriangleId triangle) const { return vertex[3 * triangle] == kNone; }
-  /// Appends triangle (a, b, c), unlinked; returns its first half-edge.
+  /// Appends triangle (a, b, c), which stands for hit `of_hit` and has no links. Returns its first
+  /// half-edge.
   HalfEdgeId add_triangle(HitId of_hit, VertexId a, VertexId b, VertexId c);
   void link(HalfEdgeId h, HalfEdgeId g) {
     opposite[h] = g;
     if (g != kNone) opposite[g] = h;
   }
 
-  /// The half-edges that start in the vertex, once each, turning round it: all of them for a vertex
-  /// off the boundary, and on the boundary from one side to the other. None of a dropped vertex.
+  /// Returns the half-edges that start in the vertex, each once, in the order in which they lie
+  /// round it; on the boundary, from one boundary edge to the other. A dropped vertex has none.
   /// Valid until triangles are added or links change; vertices may change meanwhile.
   Ring ring(VertexId v) const { return {opposite.data(), first_half_edge[v]}; }
-  /// The same, but begins with this half-edge; on the boundary without those before it.
+  /// Returns the ring round the vertex in which this half-edge starts, beginning with this
+  /// half-edge; on the boundary, the half-edges before it are left out.
   Ring ring_from(HalfEdgeId half_edge) const { return {opposite.data(), half_edge}; }
-  /// The next half-edge of the ring round the vertex in which this one starts; kNone behind the
-  /// boundary.
+  /// Returns the next half-edge of the ring round the vertex in which this one starts; kNone if
+  /// this one is the last before the boundary.
   HalfEdgeId next_in_ring(HalfEdgeId half_edge) const {
     return Ring::next(opposite.data(), half_edge);
   }
-  /// The vertex in which the half-edge ends.
+  /// Returns the vertex in which the half-edge ends.
   VertexId end_vertex(HalfEdgeId half_edge) const { return vertex[next_in_triangle(half_edge)]; }
 
-  /// The half-edge on the boundary that ends in the vertex; kNone if the vertex is not on it.
+  /// Returns the half-edge on the boundary that ends in the vertex; kNone if the vertex is not on
+  /// the boundary.
   HalfEdgeId boundary_into(VertexId v) const;
   bool on_boundary(VertexId v) const { return boundary_into(v) != kNone; }
-  /// Makes the vertex's ring begin with this half-edge, which starts there; on the boundary with
-  /// the first of the half-edges that this one is among.
+  /// Makes the vertex's ring begin with this half-edge, which must start in the vertex; on the
+  /// boundary, makes it begin with the first half-edge of the ring that this one is in.
   void set_first_half_edge(VertexId v, HalfEdgeId half_edge);
 };
 
@@ -61,24 +66,25 @@ inline HalfEdgeId DualMesh::boundary_into(VertexId v) const {
   return opposite[before] == kNone ? before : kNone;
 }
 
-/// Place within the triangle of a hit's half-edge of this slot (see grid_data.h), and the slot of
-/// the half-edge at this place: the same exchange of 1 and 2.
+/// Return the place (0 to 2) within its triangle of a hit's half-edge with this slot (see
+/// grid_data.h), and the slot of the half-edge at this place. Both exchange 1 and 2 unless the hit
+/// is reversed.
 constexpr Index place_of_slot(Index slot, bool reversed) {
   return reversed || slot == 0 ? slot : 3 - slot;
 }
 constexpr Index slot_at_place(Index place, bool reversed) { return place_of_slot(place, reversed); }
 
-/// Makes half-edges and links of the grid's. `vertex` holds the leaves in which half-edges start,
-/// until `find_loops` numbers the vertices.
+/// Makes a mesh of the grid's half-edges and links, with one triangle for each hit. In the result,
+/// `vertex` holds the leaves in which half-edges start, until `find_loops` numbers the vertices.
 DualMesh dual_mesh_of(const GridData& grid);
 
-/// Drops the parts without volume that a bulge leaves which pokes through one grid edge: two
-/// triangles linked to each other on all sides, or the same with each of them a quad. Returns the
-/// number of parts.
+/// Drops pillows: parts without volume that consist of two triangles linked to each other on all
+/// sides, or of two quads linked so. They come about where a bulge of the surface pokes through one
+/// grid edge only. Returns the number of parts dropped.
 Index drop_pillows(DualMesh& mesh);
 
-/// Finds the loops: every cycle of half-edges round a corner becomes a vertex (paper 2.2), and
-/// every chain from boundary to boundary (2.3.2).
+/// Finds the loops: every cycle of half-edges that start round a corner becomes a vertex (paper
+/// 2.2), and so does every chain of them from boundary to boundary (paper 2.3.2).
 void find_loops(const GridData& grid, DualMesh& mesh);
 
 /// Fills `next_loop_in_leaf`.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What was done to a dual mesh since its loops were found.
+// Records what was done to a dual mesh since its loops were found.
 #pragma once
 
 #include <vector>
@@ -11,9 +11,9 @@ namespace kdm {
 /// The passes that add vertices.
 enum class AddedBy { kVertexSplits, kLinks, kDoubleEdges };
 
-/// Records what passes do to a mesh beyond the mesh itself: embedding takes back edits of a part
-/// and needs to know how far they reach, reports count what was added. Grows with the numbers it is
-/// told, so it fits any mesh; what was never noted counts as not done.
+/// Records which hits and loops the passes have changed, and what they added. Embedding needs it to
+/// take back the edits in a part of the mesh; reports need it to count. It holds any numbers of
+/// hits and loops; what was never noted counts as not done.
 class EditLog {
  public:
   /// Notes that the hit's triangles were changed otherwise than by division: by a flip, a vertex
@@ -27,7 +27,7 @@ class EditLog {
   /// Notes that vertices were split off from the loop's vertex.
   void note_split(LoopId loop) { mark(loop_was_split_, loop, 1); }
   /// Notes whether the surface passes through the inside of the minimal face that half-edge
-  /// 3 * hit + place was linked across at first.
+  /// 3 * hit + place crosses by its first link.
   void note_link(HalfEdgeId half_edge, bool inside_face) {
     const HitId hit = half_edge / 3;
     const int bit = 1 << half_edge % 3;
@@ -48,8 +48,8 @@ class EditLog {
   int links_inside_face(HitId hit) const {
     return hit < links_inside_face_.size() ? links_inside_face_[hit] : 0;
   }
-  /// Lists the hits whose triangles were edited or divided since `forget_touched`, in that order,
-  /// some of them several times.
+  /// Lists the hits whose triangles were edited or divided since `forget_touched`, in the order in
+  /// which that was noted. A hit may be listed several times.
   const std::vector<HitId>& touched_hits() const { return touched_hits_; }
   /// Counts the vertices that the pass has added and that the mesh still has.
   Index added_vertices(AddedBy pass, const DualMesh& mesh) const {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// How far a hit and its loops are refined so that their triangles meet no others.
+// Defines the levels to which a hit and its loops can be refined so that their triangles do not
+// meet other triangles.
 //
 // At the highest levels a hit has six triangles, each of which lies in one leaf and so cannot meet
-// those of other leaves. That takes many triangles, so only hits whose triangles cross others are
-// raised, by one level at a time.
+// triangles in other leaves. That takes many triangles, so only hits whose triangles cross others
+// are raised, by one level at a time.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every step from loops to faces reads of the grid, and none changes.
+// Bundles the parts of the grid that every step from loops to faces reads and none changes.
 #pragma once
 
 #include <span>
@@ -18,9 +18,10 @@ struct GridView {
   std::span<const Vec3> hit_points = {};   ///< per hit, in lattice coordinates, from `hit_points`
 };
 
-/// Computes the surface point of every hit, in lattice coordinates. If they must be told `apart` in
-/// 32 bits, those that lie together on an edge, or at a grid vertex, are moved along their edge by
-/// a lattice unit or two. `boxes` are those of `cell_boxes`.
+/// Computes the surface point of every hit, in lattice coordinates. With `apart`, hits that lie so
+/// close together on an edge, or at a grid vertex, that their coordinates may become equal when
+/// rounded to 32 bits are moved along their edge by a lattice unit or two. `boxes` are those of
+/// `cell_boxes`.
 std::vector<Vec3> hit_points(const GridData& grid, std::span<const LatticeBox> boxes,
                              bool apart = false);
 

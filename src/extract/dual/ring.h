@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Walks in a triangle and round a vertex of half-edges 3t, 3t+1, 3t+2.
+// Walks round a triangle and round a vertex, in a mesh whose triangle t has the half-edges 3t,
+// 3t+1, 3t+2.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +10,7 @@
 
 namespace kdm {
 
-/// The half-edges after and before this one in its triangle.
+/// Return the half-edge after, or before, this one in its triangle.
 constexpr HalfEdgeId next_in_triangle(HalfEdgeId half_edge) {
   return half_edge % 3 == 2 ? half_edge - 2 : half_edge + 1;
 }
@@ -53,8 +54,8 @@ class Ring {
   Iterator begin() const { return {opposite_, first_}; }
   std::default_sentinel_t end() const { return {}; }
 
-  /// The half-edge after this one, turning round the vertex in which it starts; kNone behind the
-  /// boundary.
+  /// Returns the half-edge after this one in the ring round the vertex in which it starts; kNone if
+  /// this one is the last before the boundary.
   static HalfEdgeId next(const HalfEdgeId* opposite, HalfEdgeId half_edge) {
     const HalfEdgeId other = opposite[half_edge];
     return other == kNone ? kNone : next_in_triangle(other);

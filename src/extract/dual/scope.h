@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How much of a mesh a pass looks at.
+// Says which part of a mesh a pass looks at.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +10,9 @@
 
 namespace kdm {
 
-/// Everything, or the numbers of a list: of hits, vertices or triangles, as the pass says. A pass
-/// looks at them in the order of the list. Refers to the list, which must outlive it.
+/// Stands for everything, or for the numbers in a list. The pass defines whether these are hits,
+/// vertices or triangles. A pass looks at them in the order of the list. Refers to the list, which
+/// must outlive it.
 class Scope {
  public:
   /// Makes the scope of everything.
@@ -22,7 +23,8 @@ class Scope {
 
   bool is_all() const { return all_; }
   std::span<const Index> numbers() const { return numbers_; }
-  /// Is the number in the scope? The numbers of the list must ascend. Takes logarithmic time.
+  /// Returns whether the number is in the scope. The numbers of the list must ascend. Takes
+  /// logarithmic time.
   bool contains(Index number) const {
     return all_ || std::binary_search(numbers_.begin(), numbers_.end(), number);
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From manifold half-edges to a manifold index mesh.
+// Turns a mesh of manifold half-edges into one that is manifold also as an index mesh, whose edges
+// are known by their two vertices only.
 #pragma once
 
 #include "extract/dual/edit_log.h"
@@ -10,8 +11,8 @@ namespace kdm {
 
 /// Separates edges that join the same two vertices: all but one of them get a vertex of their own,
 /// near the hits on both sides, and their two triangles are divided there. Looks at the edges of
-/// all vertices or of a list; which edge of several stays whole may depend on that. Returns the
-/// number of vertices inserted.
+/// all vertices or of a list; which of several edges stays whole may depend on the list. Returns
+/// the number of vertices inserted.
 Index separate_double_edges(const GridView& view, DualMesh& mesh, EditLog& log,
                             const Scope& vertices = {});
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The passes that make a 2-manifold index mesh with few folds of a mesh with all its vertices.
+// Runs the passes that come after all vertices are added: they make the mesh a 2-manifold index
+// mesh with few folds.
 #pragma once
 
 #include <vector>
@@ -14,9 +15,9 @@ namespace kdm {
 /// A part of a mesh that was made anew.
 struct RemadePart {
   const std::vector<HitId>& hits;    ///< whose triangles were made anew; ascending
-  const std::vector<LoopId>& loops;  ///< all of theirs; ascending
-  VertexId first_vertex = 0;         ///< it and all after it are new
-  TriangleId first_triangle = 0;     ///< the same
+  const std::vector<LoopId>& loops;  ///< all loops round which these hits are; ascending
+  VertexId first_vertex = 0;         ///< this vertex and all after it are new
+  TriangleId first_triangle = 0;     ///< this triangle and all after it are new
 };
 
 /// Separates double edges (see `separate_double_edges`) and flips edges of folded and thin
@@ -24,8 +25,8 @@ struct RemadePart {
 void mend_edges(const GridView& view, const FaceSettings& settings, const EmbedLevels& levels,
                 DualMesh& mesh, EditLog& log);
 
-/// Does the same in a part: at the edges of its loops and of new vertices, and among its hits'
-/// triangles, those of touched hits and new ones.
+/// Does the same in a part: at the edges of its loops and of new vertices, and among the triangles
+/// of its hits and of touched hits (see `EditLog::touched_hits`) and the new ones.
 void mend_edges(const GridView& view, const FaceSettings& settings, const EmbedLevels& levels,
                 DualMesh& mesh, EditLog& log, const RemadePart& part);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a triangle of a dual mesh lies and how thin it is.
+// Measures how a triangle of a dual mesh lies and how thin it is.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -11,13 +11,15 @@
 
 namespace kdm {
 
-/// A triangle further than about 78 degrees off its plane is folded: cosine.
+/// The cosine of the angle (about 78 degrees) between a triangle's normal and its hit's normal from
+/// which the triangle counts as folded.
 inline constexpr double kFolded = 0.2;
 
-/// One whose smallest angle is below two degrees is thin: sine.
+/// The sine of the angle (two degrees) below which a triangle's smallest angle makes it count as
+/// thin.
 inline constexpr double kThinSine = 0.035;
 
-/// What is needed to tell how a triangle of these corners lies and how thin it is.
+/// Computes once what the measures of a triangle have in common.
 class TriangleShape {
  public:
   TriangleShape(const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -28,22 +30,23 @@ class TriangleShape {
     squares_ = {first.squaredNorm(), second.squaredNorm(), (second - first).squaredNorm()};
   }
 
-  /// Cosine between the triangle's normal and a unit vector; -1 if it is so thin that it has no
-  /// direction.
+  /// Returns the cosine of the angle between the triangle's normal and a unit vector; -1 if the
+  /// triangle is so thin that its normal has no direction.
   double alignment(const Vec3& wanted) const {
     constexpr double kFlat = 1e-6;  // height over length
     if (!(length_ > kFlat * longest())) return -1;
     return normal_.dot(wanted) / length_;
   }
 
-  /// Of the smallest angle, which lies between the two longer sides; 0 if corners are one point.
+  /// Returns the sine of the smallest angle, which lies between the two longer sides; 0 if all
+  /// corners are one point.
   double least_sine() const {
     const auto& [x, y, z] = squares_;
     const double squares = std::max({x * y, y * z, z * x});
     return squares > 0 ? length_ / std::sqrt(squares) : 0;
   }
 
-  /// Squared lengths of the sides.
+  /// Return the squared length of the shortest and of the longest side.
   double shortest() const { return *std::min_element(squares_.begin(), squares_.end()); }
   double longest() const { return *std::max_element(squares_.begin(), squares_.end()); }
 
@@ -53,7 +56,7 @@ class TriangleShape {
   std::array<double, 3> squares_;
 };
 
-/// Are the three points, of 32-bit coordinates, on one line?
+/// Returns whether the three points lie on one line. Exact if their coordinates are 32-bit floats.
 inline bool is_flat(const Vec3& a, const Vec3& b, const Vec3& c) {
   return (b - a).cross(c - a).isZero(0);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Triangles that are folded over their neighbours, or thin.
+// Flips edges of triangles that are folded over their neighbours, or thin.
 #pragma once
 
 #include "extract/dual/edit_log.h"
@@ -10,11 +10,12 @@
 namespace kdm {
 
 /// Flips edges of triangles that are turned away from the plane of their hit, or have no area,
-/// where the two triangles then lie better: leaves of different size beside a concave crease leave
-/// such folds, which reach beyond the surface. The same where the smallest angle of thin triangles
-/// becomes twice as wide, as of three vertices in a row along a crease. No edge is doubled by it,
-/// so an index mesh that is 2-manifold stays so. Triangles of hits above level `kTriangle` are left
-/// alone. Looks among all triangles or those of a list. Returns the number of flips.
+/// where the two triangles at the edge lie better after the flip. Such folds, which reach beyond
+/// the surface, come about where leaves of different size lie beside a concave crease. Also flips
+/// edges of thin triangles, such as three vertices in a row along a crease make, where the smallest
+/// angle becomes twice as wide. No flip makes a second edge between two vertices, so an index mesh
+/// that is 2-manifold stays so. Triangles of hits above level `kTriangle` are left alone. Looks at
+/// all triangles, or only at the triangles in a list. Returns the number of flips.
 Index unfold(const GridView& view, const EmbedLevels& levels, DualMesh& mesh, EditLog& log,
              const Scope& triangles = {});
 

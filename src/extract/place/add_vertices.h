@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The passes that add vertices to a mesh of one vertex a loop.
+// Runs the passes that add vertices to a mesh that has one vertex for each loop.
 #pragma once
 
 #include <span>
@@ -13,9 +13,9 @@
 namespace kdm {
 
 /// Splits those of the `missed` vertices that are loops of level `kTriangle` (see
-/// `split_vertices`), then adds vertices between leaves, and at hits as their levels ask (see
-/// `refine`). In the scope, a list of hits, the mesh has one triangle a hit; so have all hits round
-/// the missed vertices.
+/// `split_vertices`), then adds vertices between leaves, and at hits whose levels demand them (see
+/// `refine`). `hits` limits this to a list of hits. The listed hits, and all hits round the missed
+/// vertices, must have one triangle each.
 void add_vertices(const GridView& view, const FaceSettings& settings, const EmbedLevels& levels,
                   std::span<const LoopId> missed, DualMesh& mesh, EditLog& log,
                   const Scope& hits = {});

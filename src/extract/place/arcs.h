@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Links between hits that lie on one side of their minimal face.
+// Places links between two hits that lie on the same side of their minimal face.
 #pragma once
 
 #include <vector>
@@ -15,10 +15,11 @@ struct HitPair {
   HitId other;
 };
 
-/// Returns `point`, moved into the face if both hits of the link lie on one side of the face: the
-/// link then is an arc over that side, which leaves it by 5 % of the distance between the hits.
-/// Given all `links` of the face, which do not cross, the arc's height is such that arcs over one
-/// side stay apart and nested ones nested, if each of them is placed by this rule.
+/// Returns `point`, moved into the face if both hits of the link lie on the same side of the face.
+/// The link is then an arc over this side, with a height of 5 % of the distance between the hits.
+/// If `links` lists all links of the face, which must not cross, the height is chosen such that all
+/// arcs over the side that are placed by this function keep apart, also where one lies under
+/// another.
 Vec3 lift_off_side(const GridView& view, const LinkFace& face, HitPair link,
                    const std::vector<HitPair>& links, Vec3 point);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What faces are wanted.
+// Holds the options for the faces of the result.
 #pragma once
 
 #include <limits>
@@ -8,7 +8,8 @@
 
 namespace kdm {
 
-/// How far a vertex may lie from the plane of one of its hits: the larger of the two.
+/// How far a vertex may lie from the plane of one of its hits before it is split: the larger of two
+/// limits.
 struct SplitError {
   double distance = std::numeric_limits<double>::infinity();  ///< lattice units
   double of_hits = 0;  ///< fraction of the distance to the furthest of its hits

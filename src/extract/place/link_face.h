@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The minimal face that a link passes through.
+// Finds the minimal face that a link passes through.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace kdm {
 
-/// A rectangle between two leaves: the overlap of a side of the one with a side of the other.
+/// A rectangle between two leaves: the overlap of a side of one leaf with a side of the other leaf.
 /// Lattice coordinates.
 struct LinkFace {
   Vec3 lo;

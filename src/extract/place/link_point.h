@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where an edge of the mesh may pass through the minimal face of its link.
+// Finds points at which an edge of the mesh may pass through the minimal face of its link.
 #pragma once
 
 #include <span>
@@ -16,17 +16,18 @@ namespace kdm {
 Vec3 chord_point(const GridView& view, const LinkFace& face, HitPair link,
                  const std::vector<HitPair>& links = {});
 
-/// Returns `crease` or, where the plane of one of `hits` cuts it off from both hits of the link by
-/// more than `distance` (lattice units), the point where that plane cuts the way from `crease` to
-/// the middle between the two: then a third face of the input lies between the two hits and meets
-/// none of the minimal face's sides. Of several planes the one that cuts off most counts.
+/// Returns `crease`, unless the plane of one of `hits` cuts it off from both hits of the link by
+/// more than `distance` (lattice units). If so, returns the point where this plane cuts the segment
+/// from `crease` to the middle between the two hits: a third face of the input lies between the two
+/// hits and meets none of the minimal face's sides. Of several such planes, the one that cuts off
+/// most is used.
 Vec3 behind_planes(const GridView& view, HitPair link, std::span<const HitId> hits, double distance,
                    const Vec3& crease);
 
 /// Returns the point of the face where the planes of the link's two hits meet, nearest to the
 /// middle between the hits, moved by `behind_planes` and, where both hits lie on one side of the
-/// face, by `lift_off_side`. Where the planes meet far beyond the hits and make no sharp edge it is
-/// the middle.
+/// face, by `lift_off_side`. Where the planes meet far beyond the hits and make no sharp edge,
+/// starts from the middle instead of this point.
 Vec3 crease_point(const GridView& view, const LinkFace& face, HitPair link,
                   std::span<const HitId> hits, double distance);
 

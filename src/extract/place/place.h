@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Vertices for all loops of a grid (paper 2.2.1).
+// Places the vertices of all loops of a grid (paper 2.2.1).
 #pragma once
 
 #include <utility>
@@ -13,14 +13,14 @@ namespace kdm {
 
 /// Gives each loop's vertex its position, within its leaf: by the planes of its hits as the
 /// settings say (see `vertex_position`), on the boundary also by the planes through the input's
-/// rim; at the corner that the grid keeps in the leaf, if there is one. Returns the vertices by
-/// planes alone that lie further off these than the settings' split error, ascending, but none on
-/// the boundary, where a split is not defined.
+/// rim; if the grid keeps a corner for the loop, the vertex goes there. Returns, ascending, the
+/// vertices that were placed by planes and lie further from these planes than the settings' split
+/// error. Vertices on the boundary are not returned, since a split is not defined there.
 std::vector<LoopId> place_vertices(const GridView& view, const FaceSettings& settings,
                                    DualMesh& mesh);
 
 /// Lists the vertices in whose leaves the grid keeps a corner of the input, which their hits do not
-/// tell of, with these corners; vertices ascend.
+/// show, each with the position of the corner; vertices ascend.
 std::vector<std::pair<LoopId, Vec3>> kept_corners(const GridData& grid, const DualMesh& mesh);
 
 }  // namespace kdm

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Vertices for more than one feature in a leaf (paper 2.3.1).
+// Splits vertices where a leaf holds more than one feature (paper 2.3.1).
 #pragma once
 
 #include "extract/dual/edit_log.h"
@@ -10,8 +10,9 @@
 namespace kdm {
 
 /// Splits each of the vertices that lies further off the planes of its hits than the error of the
-/// settings: its ring is cut into sections that one vertex each can serve. Vertices on the boundary
-/// stay. Returns the number of vertices added; each brings two triangles.
+/// settings: its ring is cut into sections, and each section gets a vertex that lies near the
+/// planes of its hits. Vertices on the boundary stay. Returns the number of vertices added; each
+/// brings two triangles.
 Index split_vertices(const GridView& view, const FaceSettings& settings, DualMesh& mesh,
                      EditLog& log, const Scope& vertices = {});
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a vertex goes that stands for the planes of some hits (paper 2.2.1).
+// Finds the position of a vertex from the planes of its hits (paper 2.2.1).
 #pragma once
 
 #include <algorithm>
@@ -10,9 +10,9 @@
 
 namespace kdm {
 
-/// Calls `visit(plane)` for the planes that a vertex with these hits stands for. Planes of invented
-/// hits (see `GridData::invented`) count only where there are no others: the surface counts for
-/// more than what closes it.
+/// Calls `visit(plane)` for the planes by which a vertex with these hits is placed. Planes of
+/// invented hits (see `GridData::invented`) are left out unless all hits are invented: the input's
+/// surface matters more than what closes its holes.
 template <typename Visit>
 void for_each_plane(const GridData& grid, std::span<const Index> hits, const Visit& visit) {
   const bool all = grid.stats.invented_hits == 0 ||
@@ -23,9 +23,9 @@ void for_each_plane(const GridData& grid, std::span<const Index> hits, const Vis
 }
 
 /// Returns the point of the box with the least sum of squared distances to the planes of the hits.
-/// Where that is not within the grid's tolerance of each plane, returns a point that is, if there
-/// is one. With `VertexPosition::kProjection` returns the point of the box that is nearest to where
-/// the sum is least anywhere.
+/// If this point is not within the grid's tolerance of each plane, looks for a point of the box
+/// that is, and returns it if one is found. With `VertexPosition::kProjection` returns the point of
+/// the box that is nearest to the point of space where the sum is least.
 Vec3 vertex_position(const GridView& view, std::span<const HitId> hits, const LatticeBox& box,
                      VertexPosition position);
 
