@@ -23,9 +23,10 @@ std::int32_t round_up(double x) { return static_cast<std::int32_t>(x + kRounding
 // Tells whether the triangle's plane may meet the bounds of the part. An answer "no" is certain.
 bool plane_meets(const LatticeTriangle& t, const ListEntry& part) {
   const auto normal = area_vector(t);
-  double middle_height =
-      0;  // of the middle of the bounds over the plane, times the normal's length
-  double corner_height = 0;  // of the highest corner over that middle, likewise
+  // Heights over the plane, times the length of the normal: of the middle of the bounds, and of
+  // their highest corner over that middle.
+  double middle_height = 0;
+  double corner_height = 0;
   double normal_size = 0;
   for (int i = 0; i < 3; ++i) {
     const auto n = static_cast<double>(normal[i]);
@@ -106,8 +107,8 @@ void TriangleLists::divide_straddler(const ListEntry& entry, int axis, std::int3
   const int u = next_axis(axis);
   const int v = previous_axis(axis);
   constexpr std::int32_t kFar = 4 * kLatticeSize;  // beyond all coordinates
-  std::array<LatticePoint, 2> lo{
-      {{kFar, kFar, kFar}, {kFar, kFar, kFar}}};  // below the plane, above it
+  // The bounds of the part below the plane, then of the part above it.
+  std::array<LatticePoint, 2> lo{{{kFar, kFar, kFar}, {kFar, kFar, kFar}}};
   std::array<LatticePoint, 2> hi{{{-kFar, -kFar, -kFar}, {-kFar, -kFar, -kFar}}};
   const auto extend = [&](int side, int k, std::int32_t low, std::int32_t high) {
     lo[side][k] = std::min(lo[side][k], low);
