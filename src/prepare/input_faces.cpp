@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Checks, welding, and what the inside rule asks of the faces.
+// Checks and welds the input's faces, and repairs them as far as the inside rule needs.
 #include "prepare/input_faces.h"
 
 #include <fmt/format.h>

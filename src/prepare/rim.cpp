@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Points and planes at the rim of a surface.
+// Computes points and planes at the rim of a surface.
 #include "prepare/rim.h"
 
 #include <Eigen/Geometry>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Rounding to the lattice, planes, and the solid turned outwards.
+// Rounds the input's triangles to the lattice, computes their planes, and turns a solid that is
+// inside out.
 #include "prepare/surface.h"
 
 #include <Eigen/Geometry>
