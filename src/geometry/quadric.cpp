@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Minimisers of primal quadrics.
+// Finds minimisers of primal quadrics.
 #include "geometry/quadric.h"
 
 #include <algorithm>
