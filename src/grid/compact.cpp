@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Removing splits in place, and numbering a grid consecutively again. Nothing but planes changes
-// its place among its like, so all new numbers are ranks.
+// Removes splits in place, and numbers a grid consecutively again. Nothing but planes changes its
+// place among its like, so all new numbers are ranks.
 #include "grid/compact.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Statistics that can be counted in any grid.
+// Counts the statistics that follow from the grid alone.
 #include "grid/count_stats.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What can be computed from the grid's arrays, and class Grid, which owns them.
+// Computes what follows from the grid's arrays, and implements class Grid, which owns them.
 #include "grid/grid_data.h"
 
 namespace kdm {

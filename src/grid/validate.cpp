@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Checking the invariants of a grid, rule by rule.
+// Checks the invariants of a grid, rule by rule.
 #include "grid/validate.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reading grids from files and writing them. Apart from load_grid.cpp and save_grid.cpp because the
-// WebAssembly build has no files.
+// Reads grids from files and writes them. This is apart from load_grid.cpp and save_grid.cpp
+// because the WebAssembly build has no files.
 #include <fmt/format.h>
 
 #include <new>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reading a grid from bytes; grid_format.h describes them.
+// Reads a grid from the bytes that grid_format.h describes.
 //
 // The bytes may come from anybody, so the checksum proves nothing. Every number is checked against
 // its range where it is read. Every count is checked against the number of bytes that are left, so

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Writing a grid as bytes, section by section; grid_format.h describes them.
+// Writes a grid, section by section, as the bytes that grid_format.h describes.
 #include <algorithm>
 #include <new>
 #include <utility>
