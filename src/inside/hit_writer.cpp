@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Hits, and the planes they have.
+// Writes hits, and numbers their planes.
 #include "inside/hit_writer.h"
 
 #include <utility>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The models that count crossings: of solids by winding numbers, and of sheets.
+// Implements the two models that count crossings, one for solids (by winding numbers) and one for
+// sheets, and chooses among all models.
 #include "inside/make_inside_model.h"
 
 #include "geometry/assert.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Crossings kept, turned, dropped and invented along a segment of a grid edge.
+// Keeps, turns, drops and invents crossings along a segment of a grid edge.
 #include "inside/resolve_segment.h"
 
 #include <algorithm>

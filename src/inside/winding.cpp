@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Winding numbers followed up one edge.
+// Follows the winding number up one edge.
 #include "inside/winding.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Winding numbers by a tree of dipoles.
+// Sums winding numbers over a tree of dipoles.
 #include "inside/winding_field.h"
 
 #include <Eigen/Geometry>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// States of grid vertices by winding numbers, and hits that fit them.
+// Finds the states of grid vertices by winding numbers, and makes hits that fit these states.
 #include "inside/winding_oracle.h"
 
 #include <algorithm>

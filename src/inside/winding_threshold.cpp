@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The choice of the threshold for winding numbers.
+// Chooses the threshold for winding numbers.
 //
 // The winding number grows by one from the front of a face to its back. In an open vessel, such as
 // a tub, a face sees holes in much of its surroundings; then the numbers on both of its sides are
