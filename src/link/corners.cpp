@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Finding corners of the surface that the hits round them do not show.
+// Finds corners of the surface that cannot be found from the planes of the hits round them.
 //
 // Paper 2.2.1 places a vertex by the planes of its hits. A face of the input may reach into a leaf,
 // form a corner with other faces there, and meet none of the leaf's edges. Then its plane is
-// missing among those of the hits, and the minimiser may lie anywhere along the crease of the other
-// faces. So the grid keeps a mesh vertex for a loop if all planes of the loop pass near it, and a
-// triangle at the vertex has a plane that differs from all of them. The tip of a corner may also
-// reach through a side of the leaf into one none of whose edges is hit: then the loop in the leaf
-// that the tip comes from has it.
+// missing among the planes of the hits, and the minimiser may lie anywhere along the crease of the
+// other faces. So the grid keeps a mesh vertex for a loop if all planes of the loop pass near it,
+// and a triangle at the vertex has a plane that differs from all of them. The tip of a corner may
+// also reach through a side of the leaf into a neighbouring leaf none of whose edges is hit. Then
+// the corner is kept for the loop in the leaf that the tip comes from.
 #include "link/corners.h"
 
 #include <algorithm>
@@ -166,14 +166,14 @@ class CornerSearch {
     grid_.corners.push_back({half_edge, exact_position(middle_corner())});
   }
 
-  // Do the planes of all hits pass within that distance of the point?
+  // Tells whether the planes of all hits pass within the distance of the point.
   bool all_planes_pass(const Vec3& p, double within) const {
     return std::all_of(hit_triangles_.begin(), hit_triangles_.end(), [&](TriangleId triangle) {
       return surface_.planes[triangle].distance(p) <= within;
     });
   }
 
-  // Does a triangle at the crease vertex differ from all planes of the hits?
+  // Tells whether the plane of a triangle at the crease vertex differs from the planes of all hits.
   bool plane_is_missing(const CreaseVertex& corner) const {
     const std::span<const TriangleId> round = crease_vertices_.triangles_round(corner);
     return std::any_of(round.begin(), round.end(), [&](TriangleId t) {
@@ -183,8 +183,8 @@ class CornerSearch {
     });
   }
 
-  // Does the surface lead from the crease vertex to all hits without leaving the two leaves: the
-  // one of the hits, with that box, and the one that the crease vertex lies in?
+  // Tells whether the surface leads from the crease vertex to all hits without leaving two leaves:
+  // the leaf of the hits, which has the given box, and the leaf that the crease vertex lies in.
   bool on_same_part(Index number, const LatticeBox& box) {
     const std::span<const TriangleId> round =
         crease_vertices_.triangles_round(crease_vertex(number));

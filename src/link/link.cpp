@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Linking half-edges across minimal faces: one walk over the faces, which asks a matcher for the
+// Links half-edges across minimal faces: walks over all faces once, and asks a matcher for the
 // pairs of each.
 #include "link/link.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pairing the hits round a minimal face of a sheet.
+// Pairs the hits round a minimal face of a sheet.
 #include "link/match_face.h"
 #include "link/matching.h"
 #include "link/rim_hits.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pairing the hits round a minimal face of a solid.
+// Pairs the hits round a minimal face of a solid.
 #include <algorithm>
 #include <limits>
 

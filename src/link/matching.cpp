@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pairing points on a circle without crossings, by a dynamic programme over intervals: to pair the
+// Pairs points on a circle without crossings, by a dynamic programme over intervals: to pair the
 // first point of an interval with another one leaves two intervals that are independent.
 #include "link/matching.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a grid keeps of the rims of an open surface.
+// Makes and sorts the rim hits of a grid.
 #include "link/rim_hits.h"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The surface's tangent lines at the hits of a minimal face, and how well two of them fit.
+// Finds the surface's tangent lines at the hits of a minimal face, and measures how well two hits
+// fit.
 #include "link/tangents.h"
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Following the input's surface across a minimal face. The walk goes from a triangle to its
-// neighbour over the mesh edge at which the triangle's section with the face's plane ends; which of
-// its edges that is, is decided exactly.
+// Follows the input's surface across a minimal face. The walk goes from a triangle to its neighbour
+// over the mesh edge at which the triangle's section with the face's plane ends; which of its edges
+// that is, is decided exactly.
 #include "link/trace.h"
 
 #include <cmath>
