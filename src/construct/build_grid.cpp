@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Mesh -> grid: prepare, construct, link.
+// Turns a mesh into a grid: prepares the surface, constructs cells and hits, and links half-edges.
 #include <fmt/format.h>
 
 #include <new>

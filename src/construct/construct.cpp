@@ -4,7 +4,7 @@
 // A cell hands down its twelve edges, each a range of crossings on one ancestor's splitting edge,
 // and the inside model's states at its corners. So the state at a new corner is looked up in a
 // range of crossings, never searched for among triangles. All crossings are kept until the cells
-// are complete; then those that bound the solid become hits.
+// are complete; then the crossings that bound the solid become hits.
 #include "construct/construct.h"
 
 #include <algorithm>
@@ -59,7 +59,7 @@ struct Halves {
   CellFrame above;
 };
 
-// Sets what of the halves follows from the split alone.
+// Sets the members of both halves that follow from the split alone.
 void divide_box(const CellFrame& frame, const Split& split, CellId first_child, Halves& halves) {
   halves.below.cell = first_child;
   halves.above.cell = first_child + 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Crossings of triangles with splitting edges.
+// Tests triangles against splitting edges.
 #include "construct/crossing_search.h"
 
 namespace kdm {
