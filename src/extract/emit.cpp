@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From the dual mesh to the mesh that is handed out.
+// Turns the dual mesh into the mesh that extraction returns.
 #include "extract/emit.h"
 
 #include <array>

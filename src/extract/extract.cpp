@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Grid -> mesh: loops, vertices, strictness, faces.
+// Turns a grid into a mesh: finds loops, places vertices, embeds the mesh if asked to, and emits
+// faces.
 #include "kdmanifold/extract.h"
 
 #include <new>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Parts of the result that are left out.
+// Finds the parts of the result and leaves out crumbs and parts that are not wanted.
 #include "extract/keep_parts.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// New vertices on the edges and in the triangles of a dual mesh.
+// Adds vertices on the edges and in the triangles of a dual mesh.
 #include "extract/dual/edit.h"
 
 #include <numeric>

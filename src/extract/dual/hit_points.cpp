@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the surface crosses the grid's edges.
+// Computes the points where the surface crosses the grid's edges.
 #include <algorithm>
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From linked half-edges to loops.
+// Makes the dual mesh of a grid, drops pillows, and finds the loops of half-edges.
 #include "extract/dual/dual_mesh.h"
 #include "geometry/assert.h"
 

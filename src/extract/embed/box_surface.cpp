@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The sides of a box, triangulated one by one; regions between curves, and their caps.
+// Triangulates the sides of a box one by one, and finds the regions between curves and the curves'
+// caps.
 #include "extract/embed/box_surface.h"
 
 #include <Eigen/Geometry>

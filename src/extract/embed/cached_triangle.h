@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A triangle that is tested against many others.
+// Prepares a triangle to be tested against many others.
 #pragma once
 
 #include <Eigen/Geometry>

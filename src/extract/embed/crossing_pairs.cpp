@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Finding crossing pairs, in all of a mesh or where it has changed.
+// Finds crossing pairs, in all of a mesh or where it has changed.
 #include "extract/embed/crossing_pairs.h"
 
 #include <algorithm>

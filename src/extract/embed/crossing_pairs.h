@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Record of the pairs of triangles that cross or touch, and of triangles without area, kept up to
-// date while a mesh changes.
+// Keeps a record of the pairs of triangles that cross or touch, and of the triangles without area,
+// while a mesh changes.
 #pragma once
 
 #include <cstdint>
@@ -18,15 +18,17 @@ namespace kdm {
 /// Tests only pairs with a suspect (suspects.h), and of these only pairs that may lie in one leaf.
 class CrossingPairs {
  public:
-  /// `loops` is the mesh of one triangle a hit from which the mesh was made, with the loops of
-  /// leaves found; `log` says what was done to it since. Both must outlive this object.
+  /// `loops` is the mesh with one triangle for each hit from which the mesh was made; its
+  /// `next_loop_in_leaf` must be filled. `log` says what was done since to make the mesh. Both must
+  /// outlive this object.
   CrossingPairs(const GridView& view, const DualMesh& loops, const EditLog& log);
 
   /// Finds all pairs of the mesh. Its vertices must be rounded to what 32 bits hold in model units.
   /// To be called once, before `update`.
   void find(const DualMesh& mesh);
-  /// Finds what has changed since, if only triangles of these hits have: the result is that of
-  /// `find`. Besides a pass over all triangles takes time only for the hits and their surroundings.
+  /// Brings the record up to date after the triangles of these hits, and no others, have changed:
+  /// the result is the same as that of `find`. Takes time for the hits and their surroundings, and
+  /// for one quick pass over all triangles.
   void update(const DualMesh& mesh, const std::vector<HitId>& hits);
 
   /// Lists the triangles of all pairs and those without area; ascending.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rounds of looking for crossings and refining the hits concerned.
+// Looks for crossings and refines the hits concerned, round after round.
 //
 // At the highest levels every hit has a vertex on its edge, every link one within its minimal face,
 // every loop one within its leaf. Then each triangle joins a hit, a link and a loop and lies in one
@@ -25,7 +25,8 @@
 namespace kdm {
 namespace {
 
-// How far vertices keep off sides at most: a part of the tolerance that no result shows.
+// The most that vertices keep off sides, as a fraction of the tolerance: too little to be seen in a
+// result.
 constexpr double kMaxMargin = 1.0 / 32;
 
 class Rounds {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A mesh that does not meet itself.
+// Makes a mesh that does not cross or touch itself.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace kdm {
 
-/// A mesh whose triangles do not meet but in the corners and sides they share.
+/// A mesh whose triangles have nothing in common but the corners and sides that they share.
 struct Embedding {
   DualMesh mesh;
   EditLog log;                  ///< what was done to the mesh since its loops were found
@@ -21,8 +21,8 @@ struct Embedding {
                                 ///< input, such as solids that touch themselves along an edge
 };
 
-/// Makes a mesh that does not meet itself from `loops`, the mesh of one triangle a hit and one
-/// vertex a loop.
+/// Makes a mesh that does not cross or touch itself from `loops`, the mesh with one triangle for
+/// each hit and one vertex for each loop.
 ///
 /// First makes the same mesh as without embedding. Then looks for triangles that cross or touch
 /// others or have no area, raises the levels of their hits (embed_level.h), makes the mesh anew
@@ -30,8 +30,8 @@ struct Embedding {
 /// level. Most hits keep their one triangle.
 ///
 /// `missed` are the loops whose vertices miss planes of their hits, as `place_vertices` returns
-/// them. All coordinates of the result, converted to model units, fit in 32 bits without rounding.
-/// Tells `progress` fractions from 0.7 to 0.9.
+/// them. All coordinates of the result are 32-bit floats once they are converted to model units, so
+/// writing them as such rounds nothing. Tells `progress` fractions from 0.7 to 0.9.
 Embedding embed(const GridView& view, const FaceSettings& settings, std::span<const LoopId> missed,
                 const Progress& progress, DualMesh loops);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The conditions of envelope.h, tested hit by hit.
+// Tests the conditions of envelope.h hit by hit.
 #include "extract/embed/envelope.h"
 
 #include <algorithm>

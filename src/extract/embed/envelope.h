@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Shows of single hits that their triangles cannot cross those of other hits: each hit has a region
-// of its own, its envelope, and keeps to it. No pairs of triangles are looked at.
+// Proves for single hits that their triangles cannot cross the triangles of other hits: each hit
+// has a region of its own, its envelope, and its triangles lie within it. No pairs of triangles
+// have to be looked at.
 //
 // Definitions. Let h be a hit.
 //
@@ -98,8 +99,8 @@
 
 namespace kdm {
 
-/// Tells whether double precision is enough for the tests above, margins included. It is not where
-/// the model lies some thousand times its size off the origin.
+/// Tells whether double precision is enough for the tests above, margins included. It is not enough
+/// where the model lies some thousand times its size away from the origin.
 bool double_precision_suffices(const Lattice& lattice);
 
 /// Tests the hits of a mesh. Refers to the grid, to `loops`, the mesh of one triangle a hit from
@@ -114,8 +115,9 @@ class Envelopes {
   /// To be called when triangles round loops of a leaf that `has_several_loops` have changed.
   void update_leaf(const DualMesh& mesh, const HitTriangles& triangles, CellId leaf);
 
-  /// Tells whether all conditions above hold for the hit, so that its triangles cannot meet those
-  /// of other hits of which the same is true. A dropped hit has no triangles and is enclosed.
+  /// Tells whether all conditions above hold for the hit, so that its triangles cannot meet the
+  /// triangles of other hits for which all conditions hold. A dropped hit has no triangles and is
+  /// enclosed.
   bool enclose(const DualMesh& mesh, const HitTriangles& triangles, HitId hit) const;
 
   bool has_several_loops(CellId leaf) const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Linked lists of triangles, one a hit.
+// Makes a linked list of triangles for each hit.
 #include "extract/embed/hit_triangles.h"
 
 namespace kdm {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Climbing from a leaf to a cell round a box.
+// Climbs from a leaf to a cell round a box.
 #include "extract/embed/leaf_tree.h"
 
 namespace kdm {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The leaves that a box meets.
+// Finds the leaves that a box meets by a walk in the cell tree.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lists of enclosed triangles, made when they are asked for.
+// Makes the lists of enclosed triangles when they are asked for.
 #include "extract/embed/leaf_triangles.h"
 
 namespace kdm {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which triangles may lie in a leaf: suspects, and those of enclosed hits.
+// Lists the triangles that may lie in a leaf: the suspects (see suspects.h), and the triangles of
+// enclosed hits.
 #pragma once
 
 #include <span>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Loops' vertices off the sides of their leaves.
+// Places the vertices of loops off the sides of their leaves.
 #include "extract/embed/loop_position.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rings copied on smaller boxes, and caps that close the copies.
+// Copies rings on smaller boxes, and closes the copies with caps.
 #include "extract/embed/nested_loops.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Several loops in one leaf, each with a surface that keeps clear of the others'.
+// Gives several loops in one leaf surfaces that do not meet each other.
 #pragma once
 
 #include <span>

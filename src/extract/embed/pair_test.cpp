@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Exact tests of pairs, with quick ones before them.
+// Tests pairs exactly, after quick tests that decide most of them.
 #include "extract/embed/pair_test.h"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether two triangles of a mesh cross or touch, exactly.
+// Decides exactly whether two triangles of a mesh cross or touch.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ class PairTest {
  public:
   explicit PairTest(const GridView& view);
 
-  /// Makes ready for a mesh that has changed. Positions that were read stay.
+  /// Makes ready for a mesh that has changed. Positions that were read before are kept.
   void update(const DualMesh& mesh);
   /// Reads the positions of the triangle's corners. To be done before the triangle is tested, and
   /// again whenever they change.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Taking back what was done to a part of a dual mesh.
+// Takes back what was done to a part of a dual mesh.
 //
 // The part has to be so large that what is put back fits what stays around it. Call the link
 // between two hits intact if each of the two half-edges is still a side of its hit's first

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Enclosed hits, all of them or those that a change concerns.
+// Finds the enclosed hits: among all hits, or only among the hits that a change concerns.
 #include "extract/embed/suspects.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which triangles of a mesh may cross others at all: the suspects.
+// Finds the suspects: the triangles of a mesh that may cross others at all.
 //
 // A hit is enclosed if all of its triangles lie in the hit's envelope (envelope.h). Triangles of
 // two enclosed hits never cross. The triangles of all hits that are not enclosed are suspects: only
@@ -24,7 +24,7 @@ class Suspects {
   /// the first call must name all hits. Returns, ascending, the hits whose answers may differ from
   /// before: the changed hits, the hits across strips from them, and the hits round loops in leaves
   /// that they share with a changed hit and with another loop. Valid until the next update. Takes
-  /// time linear in the number of triangles, but little of it.
+  /// time linear in the number of triangles, with a small factor.
   const std::vector<HitId>& update(const DualMesh& mesh, std::span<const HitId> changed);
 
   /// Tells whether the triangles of the hit lie in its envelope; if not, they are suspects.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From manifold half-edges to a manifold index mesh.
+// Separates edges that join the same two vertices, so that the mesh is manifold also as an index
+// mesh.
 #include "extract/mend/double_edges.h"
 
 #include <algorithm>

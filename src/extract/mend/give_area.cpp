@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Triangles whose corners 32 bits put on one line.
+// Moves vertices of triangles whose corners lie on one line once they are rounded to 32 bits.
 #include "extract/mend/give_area.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Double edges first: flips make none.
+// Separates double edges first and flips edges then, since no flip makes a double edge.
 #include "extract/mend/mend_edges.h"
 
 #include "extract/mend/double_edges.h"

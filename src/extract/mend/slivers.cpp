@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Vertices moved within their leaves, one triangle at a time.
+// Moves vertices within their leaves, one triangle at a time.
 #include "extract/mend/slivers.h"
 
 #include <algorithm>
@@ -116,7 +116,7 @@ class Moving {
     return true;
   }
 
-  // Do the hits' planes meet in one point? Sharp corners stay exact.
+  // Tells whether the hits' planes meet in one point: vertices at such corners must not move.
   bool at_corner() const {
     PrimalQuadric quadric(middle_of_hits_);
     for (const Index h : ring_) quadric.add(view_.grid.plane_of(h));

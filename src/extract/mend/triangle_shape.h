@@ -56,7 +56,8 @@ class TriangleShape {
   std::array<double, 3> squares_;
 };
 
-/// Returns whether the three points lie on one line. Exact if their coordinates are 32-bit floats.
+/// Returns whether the three points lie on one line. Exact for 32-bit floats, unless some are
+/// smaller than others by many orders of magnitude.
 inline bool is_flat(const Vec3& a, const Vec3& b, const Vec3& c) {
   return (b - a).cross(c - a).isZero(0);
 }

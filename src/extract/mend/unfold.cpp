@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Edge flips against folds and thin triangles.
+// Flips edges where that removes folds or widens thin triangles.
 #include "extract/mend/unfold.h"
 
 #include <algorithm>
@@ -12,10 +12,11 @@
 namespace kdm {
 namespace {
 
-// A flip of a folded triangle must raise the cosine between the worse of the two triangles and its
-// plane by this.
+// Of the two triangles at an edge, the worse is the one with the smaller cosine between its normal
+// and its hit's normal. A flip of a folded triangle must raise this cosine by at least so much.
 constexpr double kMinAlignmentGain = 0.1;
-// A flip of a thin triangle must make the smallest angle of the two this many times as wide.
+// A flip of a thin triangle must make the smallest angle of the two triangles this many times as
+// wide.
 constexpr double kMinWidening = 2;
 // After a flip of a thin triangle the cosine between each of the two and its plane is above this,
 // or above the better one of before.
@@ -80,9 +81,10 @@ class Unfolding {
   struct Flip {
     Index half_edge = kNone;
     double quality = 0;
-    std::array<Index, 2> hits{};  // whose the two triangles are then
+    std::array<Index, 2> hits{};  // the hits that the two triangles stand for after the flip
   };
-  // Two triangles with a common edge a-b: (a, b, c) and (b, a, d), and the hits they are of.
+  // Two triangles with a common edge a-b: (a, b, c) and (b, a, d), and the hits that they stand
+  // for.
   struct Pair {
     Index a, b, c, d, hit, other;
   };
@@ -129,7 +131,7 @@ class Unfolding {
     return pair;
   }
 
-  // The flip of a-b to c-d, if the two triangles lie nearer to their planes then.
+  // Returns the flip of a-b to c-d if it turns the two triangles nearer to their planes.
   Flip flatter(Index ab, const Pair& pair) const {
     const auto& [a, b, c, d, hit, other] = pair;
     const double now = std::min(alignment(a, b, c, hit), alignment(b, a, d, other));
@@ -143,8 +145,9 @@ class Unfolding {
     return best;
   }
 
-  // The flip of a-b to c-d, if the smallest angle of the two triangles is wider then. Both may
-  // become triangles of one hit, if what the thin one covered lies in the plane of that hit.
+  // Returns the flip of a-b to c-d if it widens the smallest angle of the two triangles. Both
+  // triangles may come to stand for the same hit if the area that the thin one covered lies in the
+  // hit's plane.
   Flip wider(Index ab, const Pair& pair) const {
     const auto& [a, b, c, d, hit, other] = pair;
     const double now = std::min(least_sine(a, b, c), least_sine(b, a, d));
@@ -177,8 +180,8 @@ class Unfolding {
     return view_.grid.plane_of(hit).distance(mesh_.position[v]);
   }
 
-  // Tells whether the vertex has less than four edges: it loses one by a flip and must keep three,
-  // or two on the boundary.
+  // Tells whether the vertex has too few edges to lose one by a flip: it must keep three, or two on
+  // the boundary.
   bool shorter_than_four(Index v) const {
     if (mesh_.on_boundary(v)) return false;
     int edges = 0;

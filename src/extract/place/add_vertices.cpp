@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Vertex splits, then links and hits.
+// Splits vertices first, then adds vertices at links and hits.
 #include "extract/place/add_vertices.h"
 
 #include <algorithm>

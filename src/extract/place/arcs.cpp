@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Links between hits that lie on one side of their minimal face.
+// Places links between two hits that lie on the same side of their minimal face.
 #include "extract/place/arcs.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The minimal face that a link passes through.
+// Finds the minimal face that a link passes through.
 #include "extract/place/link_face.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where an edge of the mesh may pass through the minimal face of its link.
+// Finds points at which an edge of the mesh may pass through the minimal face of its link.
 #include "extract/place/link_point.h"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Normals at the corners of the triangles, for shading.
+// Computes normals at the corners of the triangles, for shading.
 #include "extract/place/normals.h"
 
 #include <algorithm>

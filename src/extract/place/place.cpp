@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Loops' vertices: on planes, on rims and at corners.
+// Places the vertices of loops: by planes, on rims and at corners.
 #include "extract/place/place.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Vertices at hits and links.
+// Adds vertices at hits and links.
 #include "extract/place/refine.h"
 
 #include <algorithm>
@@ -19,7 +19,8 @@ class Refinement {
              EditLog& log)
       : view_(view), levels_(levels), distance_(distance), mesh_(mesh), log_(log) {}
 
-  // All is found before anything is divided, so half-edge h is still that of hit h / 3.
+  // All new vertices are found before anything is divided, so half-edge h still belongs to hit h /
+  // 3.
   void find(const Scope& hits) {
     hits.for_each(static_cast<Index>(view_.hit_points.size()),
                   [&](HitId hit) { look_at(hit, hits); });
@@ -94,7 +95,7 @@ class Refinement {
     log_.note_link(other, inside_face);
   }
 
-  // What the link needs, if anything.
+  // Returns the vertex that the link needs, if it needs one.
   std::optional<Vec3> vertex_on(const LinkFace& face, EmbedLevel level, Index half_edge,
                                 Index opposite, const Vec3& crossing) {
     const Index hit = half_edge / 3;
@@ -147,9 +148,9 @@ class Refinement {
     return p + std::clamp((face.lo[face.axis] - p[face.axis]) / across, 0.0, 1.0) * (q - p);
   }
 
-  // Does the edge pass the face, and the planes of both hits within the distance, taken together
-  // as at a right angle? From their sections with the face it may be further off where the surface
-  // runs along the face.
+  // Tells whether the edge passes through the face, and so near to the planes of both hits that the
+  // root of the sum of the squared distances is within the limit. It may be further from the lines
+  // in which the planes cut the face, where the surface runs along the face.
   bool meets_planes(const LinkFace& face, Index hit, Index other, const Vec3& crossing) const {
     const double first = view_.grid.plane_of(hit).distance(crossing);
     const double second = view_.grid.plane_of(other).distance(crossing);
@@ -158,7 +159,8 @@ class Refinement {
            (crossing.array() <= face.hi.array() + distance_).all();
   }
 
-  // Is the crossing too far from the line hit - corner - other?
+  // Tells whether the crossing is too far from the line that leads from one hit by the corner to
+  // the other hit.
   bool misses(Index hit, const Vec3& corner, Index other, const Vec3& crossing) const {
     return std::min(squared_distance(crossing, view_.hit_points[hit], corner),
                     squared_distance(crossing, corner, view_.hit_points[other])) >

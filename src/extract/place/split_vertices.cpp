@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Vertex splits (paper 2.3.1).
+// Splits vertices (paper 2.3.1).
 //
 // The ring of a vertex v is cut into sections of consecutive polygons whose planes one point meets:
 // from a starting polygon forwards as long as the accumulated quadric allows it, then backwards.
 // Each section but the last gets a vertex w of its own; two triangles beside the new edge v-w keep
 // the surface closed, where f is the section's last polygon and g the one after it. The triangle
 // lies in f's plane, so v must meet it too: that makes two corners of a cube in one leaf exact. But
-// a section of one or two polygons hands no planes on, or v would be left as badly off as before.
-// The paper starts anywhere. Three planes always meet somewhere, though, and where they are none of
-// one feature the new triangles turn over: then the next polygon is the start.
+// a section of one or two polygons hands no planes on, or v would stay as far from planes as
+// before. The paper starts from any polygon. But any three planes meet somewhere, and if they do
+// not belong to one feature, the new triangles turn over; then the next polygon is tried as the
+// start.
 //
 //         u                    u
 //         |                  /   \     .
@@ -86,7 +87,7 @@ class Splitting {
     }
   }
 
-  // Does one vertex serve the section? If so, its position is kept.
+  // Tells whether one vertex can serve the section, and keeps the vertex's position if so.
   bool serve(Section& section, Index leaf) {
     hits_.clear();
     for (std::size_t i = 0; i < section.count; ++i) {
@@ -173,7 +174,8 @@ class Splitting {
     return vertex_position(view_, hits_, view_.boxes[leaf], settings_.position);
   }
 
-  // Would the triangle beside the new edge be turned away from the polygon it continues?
+  // Tells whether the triangle beside the new edge would face away from the polygon that it
+  // continues.
   bool folded(Index hit, Index u, const Vec3& from, const Vec3& to) const {
     const Vec3& apex = mesh_.position[u];
     const Vec3 normal = (from - apex).cross(to - apex);

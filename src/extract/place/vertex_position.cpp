@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The least squares of distances to planes, within a leaf.
+// Finds the point of a leaf with the least squares of distances to planes.
 #include "extract/place/vertex_position.h"
 
 #include <cmath>
