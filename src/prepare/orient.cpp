@@ -31,13 +31,13 @@ constexpr double kLeastSeenShare = 1.0 / 20;  // if fewer rays leave, the part i
 constexpr double kClearDifference = 1.0 / 2;  // front and back differ by this: no further lines
 constexpr double kLeastSheetLikeness = 0.85;  // of a sheet, less seen side to more seen side
 
-// Volumes as shares of area^(3/2), of which a ball has 0.09.
+// Volumes are given as fractions of area^(3/2); for a ball this is 0.09.
 constexpr double kMostRoundingVolume = 1e-7;  // what rounding errors make of no volume at all
 constexpr double kLeastTellingVolume = 0.01;  // the sign of a smaller volume says nothing
 
 constexpr double kLeastAgreeingShare = 2.0 / 3;  // of an enclosed part's area, for it to stay
 
-// What is measured of a part, its triangles without copies turned to agree.
+// What is measured of a part after its triangles were turned to agree; copies do not count.
 struct Shape {
   double volume = 0;            // about the centroid
   double flatness = 1;          // length of the sum of its area vectors, divided by its area

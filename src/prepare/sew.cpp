@@ -29,7 +29,7 @@ struct RimSide {
   double reach;  // how far the ends of another side may be from its own
 };
 
-// The rim side that lies nearest to another one.
+// What is known of the rim side that lies nearest to a given rim side.
 struct Match {
   Index other = kNone;  // its number among the rim sides
   double distance = 0;  // between the ends that are further apart
