@@ -103,15 +103,15 @@ bool is_on(const Corners& t, const Vec3& p) {
   return !(left && right);
 }
 
-// How a point lies to the surface of one part.
+// Where a point lies in relation to one part.
 struct Verdict {
   int winding = 0;  // the part's winding number at the point
   bool on = false;  // the point is on the part
 };
 
-// Finds how points lie to one part, whose triangles `triangles(ask)` passes to `ask` one by one.
-// The points are given as boxes. Adds the work to `tests`; when that is too much, the rest of the
-// triangles is left out.
+// Finds where points lie in relation to one part, whose triangles `triangles(ask)` passes to `ask`
+// one by one. The points are given as boxes. Adds the work to `tests`; when that is too much, the
+// rest of the triangles is left out.
 template <typename Triangles>
 std::vector<Verdict> judge(const std::vector<Box>& points, const Triangles& triangles,
                            std::uint64_t& tests) {
