@@ -171,8 +171,8 @@ class FaceWalk {
   }
 
   // Cuts the rectangle `second` at the split of `cell`, across direction i (0: u, 1: v). `first`, a
-  // copy of it, becomes the part below the split. `lower`: is `cell` on the lower side of the
-  // plane?
+  // copy of it, becomes the part below the split. `lower` tells whether `cell` is on the lower side
+  // of the face's plane.
   void divide(const Cell& cell, bool lower, int i, std::int32_t key, MinimalFace& first,
               MinimalFace& second) const {
     first.hi_key[i] = key;

@@ -18,7 +18,7 @@ void require(bool condition, const char* rule, std::size_t where) {
   }
 }
 
-// The numbers of children and axes, before anything follows them.
+// Checks the numbers of children and axes. To be called first: all other checks follow them.
 void validate_cells(const GridData& grid) {
   require(grid.cells.size() % 2 == 1, "there is a root and two cells a split", grid.cells.size());
   Marks is_child(grid.cells.size());
