@@ -15,7 +15,7 @@ constexpr LinePosition position_of(std::int32_t coordinate) {
   return static_cast<LinePosition>(coordinate) << kFractionBits;
 }
 
-// The last position below a coordinate, which may be the root's upper end.
+// Returns the last position below a coordinate, which may be the root's upper end.
 constexpr LinePosition last_below(std::int32_t coordinate) { return position_of(coordinate) - 1; }
 
 }  // namespace

@@ -30,7 +30,7 @@ std::int32_t unpack(std::uint64_t packed, int i) {
 
 }  // namespace
 
-// All grid vertices, by the lines they lie on.
+// All grid vertices, sorted by the grid lines that they lie on.
 struct WindingOracle::GridVertices {
   // Per axis, ascending. A number holds the line's coordinates along the next and the previous
   // axis, the vertex's position along the line and, in its last bit, the vertex's state.
@@ -149,14 +149,15 @@ void WindingOracle::write_segment(const SplittingEdge& edge, const Segment& segm
   }
 }
 
-// The plane in which the winding number stays what it is at the crossing.
+// Returns the plane through the crossing in whose directions the winding number does not change.
 Plane WindingOracle::invented_plane(const Segment& segment,
                                     const ClassifiedCrossing& invented) const {
   const double up = invented.leaving() ? 1 : -1;
   Vec3 point = to_vec3(segment.low);
   point[segment.axis] = real_position(invented.position());
   Vec3 normal = -field_.gradient(point);
-  // Where the field says nothing, or the contrary, the edge is all that is known.
+  // Where the gradient is nearly normal to the edge or runs against the crossing's direction, the
+  // plane is taken normal to the edge.
   constexpr double kLeastCosine = 0.05;
   if (!(up * normal[segment.axis] > kLeastCosine * normal.norm())) {
     normal = Vec3::Zero();

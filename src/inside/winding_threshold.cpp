@@ -19,7 +19,8 @@ namespace {
 constexpr int kSamples = 1024;
 constexpr double kInFront = 0.5;  // distance of the samples from the surface, lattice units
 constexpr std::array<double, 9> kThresholds{0.5, 0.45, 0.4, 0.35, 0.3, 0.25, 0.2, 0.15, 0.1};
-// The part of the area that a higher threshold may lose.
+// The fraction of the whole area by which a threshold may keep less than the best one and still be
+// chosen, if it is higher.
 constexpr double kNegligibleArea = 0.01;
 
 // Returns the triangle's normal with a length of twice its area.
