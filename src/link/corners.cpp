@@ -57,7 +57,7 @@ class CornerSearch {
  private:
   const CreaseVertex& crease_vertex(Index number) const { return crease_vertices_.all()[number]; }
   const Vec3& normal(TriangleId triangle) const { return surface_.planes[triangle].normal; }
-  // The box of the leaf that the crease vertex lies in.
+  // Returns the box of the leaf that the crease vertex lies in.
   const LatticeBox& home_of(Index number) const { return boxes_[home_[number]]; }
 
   CellId leaf_at(const LatticePoint& p) const {

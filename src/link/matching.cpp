@@ -110,7 +110,8 @@ std::vector<Index> match_like_brackets(Index count,
   return partner;
 }
 
-// The price of a pairing: fewer points left alone are better whatever the cost.
+// The price of a pairing. Fewer points left without partner always make it lower; the cost decides
+// between pairings that leave equally many.
 struct Price {
   Index alone = 0;
   double cost = 0;

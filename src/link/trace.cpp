@@ -9,7 +9,8 @@
 namespace kdm {
 namespace {
 
-// Of the triangle's sides, the one that crosses the plane upwards (or downwards); 3 if none does.
+// Returns which side (0 to 2) of the triangle crosses the plane upwards or, if not `upwards`,
+// downwards; 3 if no side does.
 int crossing_side(const LatticeTriangle& t, int axis, std::int32_t value, bool upwards) {
   for (int i = 0; i < 3; ++i) {
     const bool from_below = below_plane(t[i][axis], value);
@@ -19,8 +20,9 @@ int crossing_side(const LatticeTriangle& t, int axis, std::int32_t value, bool u
   return 3;
 }
 
-// Is the point where the side crosses the plane clearly outside the rectangle? Rounded, with a
-// margin of one unit: it only ends walks that cannot arrive.
+// Tells whether the point where the side crosses the plane is clearly outside the rectangle. The
+// point is rounded, so a margin of one lattice unit is left: the answer is only used to end walks
+// that cannot arrive.
 bool leaves_rectangle(const LatticePoint& a, const LatticePoint& b, int axis, std::int32_t value,
                       const std::array<std::int32_t, 2>& lo,
                       const std::array<std::int32_t, 2>& hi) {
