@@ -8,7 +8,7 @@
 namespace kdm {
 namespace {
 
-// The half-edge of triangle t across which it makes a quad, or kNone.
+// Returns the half-edge across which triangle t makes a quad with its neighbour, or kNone.
 Index quad_diagonal(const DualMesh& mesh, Index t) {
   for (Index i = 0; i < 3; ++i) {
     const Index half_edge = 3 * t + i;
@@ -21,7 +21,7 @@ Index quad_diagonal(const DualMesh& mesh, Index t) {
   return kNone;
 }
 
-// In the result, where dropped ones are left out.
+// Returns for each vertex its number in the result, from which dropped vertices are left out.
 std::vector<Index> numbers_of_vertices(const DualMesh& mesh) {
   std::vector<Index> numbers(mesh.vertices());
   Index number = 0;

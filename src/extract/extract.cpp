@@ -54,7 +54,8 @@ void count_edits(const DualMesh& mesh, const EditLog& log, ExtractReport& report
   report.flipped_edges = log.flips();
 }
 
-// The surface with all its vertices, its steps counted in the report.
+// Makes the dual mesh of the grid with all its vertices, and counts in the report what the steps
+// did.
 DualMesh surface_of(const GridData& grid, const ExtractOptions& options, const Progress& progress,
                     ExtractReport& report) {
   const FaceSettings settings = face_settings(grid, options);

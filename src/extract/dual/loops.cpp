@@ -6,7 +6,8 @@
 namespace kdm {
 namespace {
 
-// The triangle that lies beyond all three sides but `except`, or kNone.
+// Returns the triangle that lies beyond all sides of the triangle other than `except`, or kNone if
+// these lie beside several triangles or on the boundary.
 Index only_neighbour(const DualMesh& mesh, Index triangle, Index except) {
   Index neighbour = kNone;
   for (Index i = 0; i < 3; ++i) {

@@ -83,7 +83,7 @@ class SideTriangulation {
   }
 
  private:
-  // The sign of the triangle's area: positive if it is counter-clockwise seen from above.
+  // Returns the sign of the triangle's area: positive if it is counter-clockwise seen from above.
   int orientation(Index a, Index b, Index c) const {
     return area_sign(points_[a], points_[b], points_[c], axis_);
   }
@@ -195,7 +195,7 @@ class Caps {
     return true;
   }
 
-  // The triangle to the left of the directed edge, seen from outside, or kNone.
+  // Returns the triangle to the left of the directed edge, seen from outside, or kNone.
   Index triangle_left_of(Index a, Index b) const {
     const auto side = std::lower_bound(sides_.begin(), sides_.end(), SideOfTriangle{{a, b}, 0});
     return side != sides_.end() && side->edge == Edge{a, b} ? side->triangle : kNone;
@@ -270,7 +270,7 @@ class Caps {
   std::vector<double> region_areas_;   // per region
 };
 
-// The points, then the corners of the box.
+// Returns the points, followed by the corners of the box.
 std::vector<Vec3> with_corners(std::vector<Vec3> points, const Vec3& lo, const Vec3& hi) {
   for (int bits = 0; bits < 8; ++bits) {
     Vec3 corner = lo;

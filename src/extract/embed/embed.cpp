@@ -182,7 +182,7 @@ class Rounds {
     }
   }
 
-  // The nearest point, in lattice units, whose model coordinates fit in 32 bits.
+  // Returns the nearest point, in lattice units, whose model coordinates are 32-bit floats.
   Vec3 rounded(const Vec3& position) const {
     return view_.grid.lattice.to_lattice(single_precision(view_.grid.lattice, position));
   }

@@ -58,14 +58,14 @@ void Envelopes::update_leaf(const DualMesh& mesh, const HitTriangles& triangles,
   not_parted_.set(leaf, !parted);
 }
 
-// The sum of the normals of the loop's hits.
+// Returns the sum of the normals of the loop's hits.
 Vec3 Envelopes::normal_of(LoopId v) const {
   Vec3 sum = Vec3::Zero();
   for_each_hit_round(v, [&](HitId hit) { sum += view_.grid.plane_of(hit).normal; });
   return sum;
 }
 
-// Do planes with this normal part the triangles round the loops of the leaf?
+// Tells whether planes with this normal part the triangles round the loops of the leaf.
 bool Envelopes::parted_along(const Vec3& normal, const DualMesh& mesh,
                              const HitTriangles& triangles, CellId leaf) const {
   std::vector<std::pair<double, double>> ranges;  // per loop: of heights along the normal
@@ -91,8 +91,8 @@ bool Envelopes::parted_along(const Vec3& normal, const DualMesh& mesh,
   return true;
 }
 
-// The part of the hit's grid edge that all its leaves have in common, with those of the hits across
-// strips from it.
+// Returns the part of the hit's grid edge that all of the hit's leaves, and all leaves of the hits
+// across strips from it, have in common.
 Envelopes::Stretch Envelopes::stretch_of(HitId hit) const {
   LatticePoint lo = view_.boxes[0].lo;
   LatticePoint hi = view_.boxes[0].hi;
@@ -135,8 +135,8 @@ bool Envelopes::rim_is_sound(const DualMesh& mesh, HitId hit) const {
   return true;
 }
 
-// Conditions (d) and (e): is the triangle of the hit turned as the hit is, and does its plane meet
-// the edge inside of the stretch?
+// Tests conditions (d) and (e): whether the triangle of the hit is turned as the hit is, and
+// whether its plane meets the edge inside of the stretch.
 bool Envelopes::passes_through(const Stretch& stretch, const DualMesh& mesh, TriangleId triangle,
                                HitId hit) const {
   const int u = next_axis(stretch.axis);

@@ -11,7 +11,7 @@ LeafTree::LeafTree(const GridView& view) : view_(view), parent_(view.grid.cells.
   }
 }
 
-// The smallest cell round the leaf that has the whole box inside of it, or the root.
+// Returns the smallest cell round the leaf that has the whole box inside of it, or the root.
 CellId LeafTree::smallest_cell_round(const Vec3& lo, const Vec3& hi, CellId near) const {
   CellId cell = near;
   while (cell != 0 && !((lo.array() > to_vec3(view_.boxes[cell].lo).array()).all() &&

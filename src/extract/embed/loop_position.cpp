@@ -42,7 +42,7 @@ Vec3 loop_position(const GridView& view, const DualMesh& loops, LoopId v, EmbedL
   const LatticeBox& box = view.boxes[loops.leaf[v]];
   const double tolerance = view.grid.tolerance;
   if (level < EmbedLevel::kCentred) return off_sides(box, tolerance, loops.position[v]);
-  // A small loop stays small, or it would reach over those beside it.
+  // A small loop moves little, or its triangles would reach over the loops beside it.
   const auto [centre, radius] = hits_round(view, loops, v);
   return off_sides(box, std::min(tolerance, radius / 4), centre);
 }

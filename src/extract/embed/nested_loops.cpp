@@ -130,7 +130,7 @@ class Nesting {
     return copies_[point];
   }
 
-  // The point, drawn towards the middle of the leaf.
+  // Returns the point, drawn towards the middle of the leaf.
   Vec3 scaled(Index point, double scale) const {
     const Vec3 middle = 0.5 * (lo_ + hi_);
     return middle + scale * (surface_->points[point] - middle);

@@ -67,7 +67,8 @@ class Separation {
     return mesh_.boundary_into(from);
   }
 
-  // Where the boundary into v comes from; v is on it.
+  // Returns the vertex in which the boundary half-edge that ends in v starts. v must be on the
+  // boundary.
   Index start_into(Index v) const { return mesh_.vertex[mesh_.boundary_into(v)]; }
 
   void insert_vertex(Index ab) {
@@ -86,7 +87,8 @@ class Separation {
     if (c == d) doubles_.emplace_back(m, c);
   }
 
-  // The middle of the two hits: it lies in the minimal face between the two leaves, or near it.
+  // Returns the middle between the two hits: it lies in the minimal face between the two leaves, or
+  // near it.
   Vec3 between(Index triangle, Index other, Index a, Index b) const {
     const Index hit = mesh_.hit[triangle];
     const Index other_hit = mesh_.hit[other];

@@ -8,7 +8,7 @@
 namespace kdm {
 namespace {
 
-// The numbers, then those from `first` up to `end`.
+// Returns `numbers`, followed by the numbers from `first` up to `end`, which is left out.
 std::vector<Index> with_new(std::vector<Index> numbers, Index first, Index end) {
   for (Index i = first; i < end; ++i) numbers.push_back(i);
   return numbers;

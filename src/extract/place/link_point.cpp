@@ -16,7 +16,7 @@ bool contains(const LinkFace& face, const Vec3& p) {
   return (p.array() >= face.lo.array()).all() && (p.array() <= face.hi.array()).all();
 }
 
-// Does the point, which lies in the face, lie on one of its sides?
+// Tells whether the point, which must lie in the face, lies on one of the face's sides.
 bool on_side(const LinkFace& face, const Vec3& p) {
   for (int i = 0; i < 3; ++i) {
     if (i != face.axis && (p[i] == face.lo[i] || p[i] == face.hi[i])) return true;
@@ -33,7 +33,7 @@ int convexity(const GridView& view, HitPair link) {
   return first < 0 ? 1 : -1;
 }
 
-// Do the planes of the two hits make a sharp edge that lies between the hits?
+// Tells whether the planes of the two hits make a sharp edge that lies between the hits.
 bool is_sharp(const GridView& view, HitPair link) {
   const double cosine =
       view.grid.plane_of(link.hit).normal.dot(view.grid.plane_of(link.other).normal);

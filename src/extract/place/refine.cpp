@@ -115,7 +115,7 @@ class Refinement {
     return crease_point(view_, face, {hit, other}, beside_, distance_);
   }
 
-  // Of the loops on both sides of the link.
+  // Collects the hits of the loops on both sides of the link.
   void find_hits_beside(Index half_edge, Index opposite) {
     beside_.clear();
     for (const HalfEdgeId first : {half_edge, opposite}) {
@@ -123,7 +123,7 @@ class Refinement {
     }
   }
 
-  // All between the two leaves of the half-edge's link.
+  // Returns all links between the two leaves of the half-edge's link.
   static std::vector<HitPair> links_beside(const DualMesh& plain, Index link) {
     const auto leaf_beyond = [&](Index h) { return plain.leaf[plain.end_vertex(h)]; };
     std::vector<HitPair> links;

@@ -115,7 +115,8 @@ class Splitting {
     return section;
   }
 
-  // The half-edge out of v between polygon i and the next one: in the middle of what fills them.
+  // Returns the half-edge out of v between polygon i and the next one: if triangles fill the gap
+  // between the two polygons, the half-edge in the middle of them.
   Index boundary_after(std::size_t i) const {
     const std::size_t from = ring_index_[i];
     const std::size_t to = ring_index_[(i + 1) % ring_index_.size()];
