@@ -86,6 +86,17 @@ TEST(FitCheck, TwoSheetsNeedAVertexEach) {
   EXPECT_TRUE(ask(scene, 0.55 * kThickness, one).fits);
 }
 
+// The common vertex lies amid the four sheets, near to the inner two and further from the outer
+// two.
+TEST(FitCheck, TheCommonVertexMeetsAllPlanes) {
+  const Mesh slabs = shapes::merged({shapes::box(Vec3(0, 0, 0), Vec3(1, 1, 0.02)),
+                                     shapes::box(Vec3(0, 0, 0.03), Vec3(1, 1, 0.05))});
+  const CellScene scene(check::with_room(slabs), Vec3(0.3, 0.3, -0.1), Vec3(0.6, 0.6, 0.1));
+  ASSERT_EQ(scene.surface_in_cell.pieces.all().size(), 4u);
+  EXPECT_FALSE(ask(scene, 0.024, LeafVertices::kOneForAll).fits);
+  EXPECT_TRUE(ask(scene, 0.026, LeafVertices::kOneForAll).fits);
+}
+
 TEST(FitCheck, SurfaceThatNoEdgeMeetsIsAClearMisfit) {
   const CellScene scene(check::with_room(shapes::cube()), Vec3(-0.01, -0.01, -0.5),
                         Vec3(1.01, 1.01, 1.01));
