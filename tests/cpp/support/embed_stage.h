@@ -8,6 +8,7 @@
 #include "extract/dual/edit_log.h"
 #include "extract/dual/embed_level.h"
 #include "extract/dual/grid_view.h"
+#include "extract/embed/restore.h"
 #include "extract/emit.h"
 #include "extract/mend/double_edges.h"
 #include "extract/mend/unfold.h"
@@ -58,6 +59,22 @@ struct EmbedStage {
     for (std::size_t v = vertices; v < mesh.position.size(); ++v) {
       mesh.position[v] = rounded(mesh.position[v]);
     }
+  }
+
+  /// Makes every `step`-th hit from `first` on anew, with vertices at the hit and its links.
+  /// Returns the hits whose triangles may have changed, as `embed` does in each of its rounds.
+  std::vector<HitId> refine_some(HitId first, Index step) {
+    std::vector<HitId> hits;
+    for (HitId h = first; h < grid.hits.size(); h += step) {
+      if (loops.dropped(h)) continue;
+      levels.hits[h] = EmbedLevel::kHitVertices;
+      hits.push_back(h);
+    }
+    log.forget_touched();
+    Restored part = restore(loops, hits, mesh, log);
+    make(part.hits);
+    part.hits.insert(part.hits.end(), log.touched_hits().begin(), log.touched_hits().end());
+    return std::move(part.hits);
   }
 
   std::vector<HitId> all_hits() const {

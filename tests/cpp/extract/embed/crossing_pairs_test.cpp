@@ -6,7 +6,6 @@
 
 #include <algorithm>
 
-#include "extract/embed/restore.h"
 #include "support/dual_mesh_check.h"
 #include "support/embed_stage.h"
 
@@ -44,18 +43,7 @@ TEST(CrossingPairs, UpdateEqualsFind) {
       CrossingPairs crossing_pairs(stage.view(), stage.loops, stage.log);
       crossing_pairs.find(stage.mesh);
       for (Index round = 0; round < 2; ++round) {
-        std::vector<Index> hits;
-        for (Index h = round; h < stage.grid.hits.size(); h += 17) {
-          if (stage.loops.dropped(h)) continue;
-          stage.levels.hits[h] = EmbedLevel::kHitVertices;
-          hits.push_back(h);
-        }
-        stage.log.forget_touched();
-        Restored part = restore(stage.loops, hits, stage.mesh, stage.log);
-        stage.make(part.hits);
-        part.hits.insert(part.hits.end(), stage.log.touched_hits().begin(),
-                         stage.log.touched_hits().end());
-        crossing_pairs.update(stage.mesh, part.hits);
+        crossing_pairs.update(stage.mesh, stage.refine_some(round, 17));
         ASSERT_EQ(crossing_pairs.pairs(), stage.crossings());
         CrossingPairs anew(stage.view(), stage.loops, stage.log);
         anew.find(stage.mesh);

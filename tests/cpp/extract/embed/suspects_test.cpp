@@ -6,7 +6,6 @@
 
 #include <algorithm>
 
-#include "extract/embed/restore.h"
 #include "support/embed_stage.h"
 
 namespace kdm {
@@ -77,18 +76,7 @@ TEST(Suspects, UpdateEqualsFindingAnew) {
     stage.make();
     Suspects suspects(stage.view(), stage.loops, stage.log);
     suspects.update(stage.mesh, stage.all_hits());
-    std::vector<HitId> hits;
-    for (HitId h = 0; h < stage.grid.hits.size(); h += 23) {
-      if (stage.loops.dropped(h)) continue;
-      stage.levels.hits[h] = EmbedLevel::kHitVertices;
-      hits.push_back(h);
-    }
-    stage.log.forget_touched();
-    Restored part = restore(stage.loops, hits, stage.mesh, stage.log);
-    stage.make(part.hits);
-    part.hits.insert(part.hits.end(), stage.log.touched_hits().begin(),
-                     stage.log.touched_hits().end());
-    suspects.update(stage.mesh, part.hits);
+    suspects.update(stage.mesh, stage.refine_some(0, 23));
     Suspects anew(stage.view(), stage.loops, stage.log);
     anew.update(stage.mesh, stage.all_hits());
     for (HitId h = 0; h < stage.grid.hits.size(); ++h) {
