@@ -2,17 +2,10 @@
 // `npm run build [native] [wasm] [package]`: the native command line to build/native, the
 // WebAssembly module to build/wasm, the npm package (with the module) to dist/. Compiles only what is
 // out of date.
-import {
-  chmodSync,
-  copyFileSync,
-  existsSync,
-  mkdirSync,
-  readFileSync,
-  rmSync,
-  writeFileSync,
-} from 'node:fs';
+import { copyFileSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { delimiter } from 'node:path';
 import { pathToFileURL } from 'node:url';
+import { bundlePackage } from './bundle.mjs';
 import { jobs, root, run, setup, tool } from './run.mjs';
 
 /** Configures a CMake folder where needed and builds it. */
@@ -76,15 +69,20 @@ export const builders = {
       targets: ['kdm_wasm'],
     });
   },
+  /** The wrapper, file by file, with the module: for what the package is made of, and for tests of its parts. */
+  wrapper() {
+    builders.wasm();
+    rmSync(`${root}/build/js`, { recursive: true, force: true });
+    tool('tsc', ['-p', 'tsconfig.build.json']);
+    for (const name of ['kdmanifold.js', 'kdmanifold.wasm']) {
+      copyFileSync(`${root}/build/wasm/wasm/${name}`, `${root}/build/js/${name}`);
+    }
+  },
   /** From nothing, so that no file stays in the package whose source is gone. */
   package() {
-    builders.wasm();
+    builders.wrapper();
     rmSync(`${root}/dist`, { recursive: true, force: true });
-    tool('tsc', ['-p', 'tsconfig.build.json']);
-    for (const file of ['kdmanifold.js', 'kdmanifold.wasm']) {
-      copyFileSync(`${root}/build/wasm/wasm/${file}`, `${root}/dist/${file}`);
-    }
-    chmodSync(`${root}/dist/cli.js`, 0o755);
+    bundlePackage();
   },
 };
 

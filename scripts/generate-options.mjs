@@ -34,6 +34,7 @@ export async function generate(description, readme) {
     'web/src/reports.ts': await typescript(
       [
         head('Types of reports, keys of their parts.'),
+        `import type { OwnUint32Array } from './outside-types.js';\n`,
         ...Object.entries(description.reports).map(([name, report]) =>
           reportInterface(name, report),
         ),
@@ -136,8 +137,8 @@ const reportTypes = {
   boolean: 'boolean',
   'integer or null': 'number | null',
   box: '{ min: Float64Array; max: Float64Array }',
-  list: 'Uint32Array<ArrayBuffer>',
-  lists: 'Uint32Array<ArrayBuffer>[]',
+  list: 'OwnUint32Array',
+  lists: 'OwnUint32Array[]',
   'MeshPart list': 'MeshPart[]',
   MeshReport: 'MeshReport',
 };

@@ -3,7 +3,7 @@
 import { existsSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { load } from '../../dist/index.js';
-import { buildOptions, extractOptions } from '../../dist/options.js';
+import { buildOptions, extractOptions } from '../../build/js/options.js';
 import { cube, faults, together, torus } from './support/meshes.js';
 import { execute, nativeCli, nodeCli, withFolder } from './support/paths.js';
 

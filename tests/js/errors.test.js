@@ -275,7 +275,18 @@ const asyncTable = [
     'NOT_CLOSED',
     /edge/,
   ],
-  ['an aborted signal', cube(), { signal: AbortSignal.abort('no') }, 'ABORTED', /stopped/],
+  ['an aborted signal', cube(), { signal: AbortSignal.abort() }, 'ABORTED', /stopped/],
+  ['worker that is none', cube(), { worker: true }, 'INVALID_OPTION', /worker/],
+  ['a worker address that is none', cube(), { workerUrl: 7 }, 'INVALID_OPTION', /workerUrl/],
+  ['concurrency 0', cube(), { concurrency: 0 }, 'INVALID_OPTION', /concurrency.*1 to 64.*0/],
+  [
+    'one worker for two',
+    cube(),
+    { concurrency: 2, worker: { postMessage() {} } },
+    'INVALID_OPTION',
+    /worker.*function/,
+  ],
+  ['wasm that is none', cube(), { wasmBinary: 'no' }, 'INVALID_OPTION', /wasmBinary/],
   ['too little memory', enormous(), { transfer: true }, 'OUT_OF_MEMORY', /memory/],
 ];
 
@@ -288,11 +299,15 @@ test.each(asyncTable)('makeManifold rejects: %s', async (_, mesh, options, code,
 });
 
 test('a WebAssembly file that is not there: LOAD_FAILED, and the next load works', async () => {
-  const fresh = await import('../../dist/load.js?fresh');
+  const fresh = await import('../../build/js/load.js?fresh');
   const missing = new URL('./missing.wasm', import.meta.url);
-  await expect(fresh.load({ wasmUrl: missing })).rejects.toMatchObject({ code: 'LOAD_FAILED' });
+  await expect(fresh.load({ wasmUrl: missing })).rejects.toMatchObject({
+    code: 'LOAD_FAILED',
+    message: expect.stringMatching(/kdmanifold.wasm: .*missing.wasm/),
+  });
   await expect(fresh.load({ wasmBinary: new Uint8Array(8) })).rejects.toMatchObject({
     code: 'LOAD_FAILED',
+    message: expect.stringMatching(/kdmanifold.wasm: it cannot be compiled/),
   });
   expect((await fresh.load()).version).toBe(kdm.version);
 });

@@ -53,7 +53,7 @@ test('100 failures of each kind', () => {
 
 test('the heap serves again after memory has run out', async () => {
   // On an instance of its own, whose heap may be as large as it gets.
-  const own = await (await import('../../dist/load.js?own')).load();
+  const own = await (await import('../../build/js/load.js?own')).load();
   const before = own.memory().usedBytes;
   for (const bytes of [4_200_000_000, 1_000_000_000]) {
     expect(() => own.parseMesh(new Uint8Array(bytes), 'ply')).toThrow();

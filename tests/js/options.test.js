@@ -4,7 +4,7 @@
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { load } from '../../dist/index.js';
-import createModule from '../../dist/kdmanifold.js';
+import createModule from '../../build/js/kdmanifold.js';
 import { generate } from '../../scripts/generate-options.mjs';
 import { cube } from './support/meshes.js';
 import { execute, nativeCli, nodeCli, root, withFolder } from './support/paths.js';

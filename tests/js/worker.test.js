@@ -96,8 +96,8 @@ test('a signal stops the conversion in work, soon, and the ones in line', async 
   setTimeout(() => controller.abort('changed my mind'), 200);
   const started = performance.now();
   const [first, second, third] = await settled;
-  expect(first.reason).toMatchObject({ code: 'ABORTED', cause: 'changed my mind' });
-  expect(second.reason).toMatchObject({ code: 'ABORTED' });
+  expect(first.reason).toBe('changed my mind');
+  expect(second.reason).toBe('changed my mind');
   expect(third.value.report.output.twoManifold).toBe(true);
   expect(performance.now() - started).toBeLessThan(10_000);
 });
@@ -135,7 +135,7 @@ test('an idle worker does not keep the process alive', () => {
   expect({ status, stdout, stderr }).toEqual({ status: 0, stdout: 'true\n', stderr: '' });
 });
 
-test('without workers it works on the calling thread', () => {
+test('without workers it works on the calling thread, and says so', () => {
   const script = `
     import { Worker } from 'node:worker_threads';
     import workerThreads from 'node:worker_threads';
@@ -150,9 +150,13 @@ test('without workers it works on the calling thread', () => {
     const { report } = await makeManifold({ positions, indices }, { onProgress: (f) => void seen.push(f) });
     const late = makeManifold({ positions, indices }, { signal: stop.signal });
     stop.abort();
-    console.log(report.output.twoManifold, seen.at(-1), await late.catch((error) => error.code));`;
+    console.log(report.output.twoManifold, report.thread, seen.at(-1), await late.catch((error) => error.code));`;
   const { stdout, stderr } = execute(process.execPath, ['--input-type=module', '--eval', script], {
     timeout: 60_000,
   });
-  expect({ stdout, stderr }).toEqual({ stdout: 'true 1 ABORTED\n', stderr: '' });
+  expect(stdout).toBe('true main 1 ABORTED\n');
+  // Once, though two conversions found none.
+  expect(stderr.match(/kdmanifold: no worker could be started \(no workers here\)/g)).toHaveLength(
+    1,
+  );
 });

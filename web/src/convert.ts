@@ -45,6 +45,7 @@ export function convert(
         output: pick({ ...described, ...report }, outputKeys),
         seconds: { build: (built - started) / 1000, extract: (extracted - built) / 1000 },
         peakBytes: library.memory().heapBytes,
+        thread: 'main',
       },
     };
   } finally {

@@ -1,17 +1,38 @@
 // SPDX-License-Identifier: MIT
 // Finds out where the code runs. Nothing is found out while the package is imported.
 
-/** Says whether this is Node or something that passes for it; Electron's pages count as browsers. */
+// Not by its bare name, for which some bundlers would put something in place.
+const processOf = (): NodeJS.Process | undefined =>
+  (globalThis as { process?: NodeJS.Process }).process;
+
+/** Says whether this is Node or something that passes for it; Electron's pages and web workers count as browsers. */
 export function isNode(): boolean {
-  return (
-    typeof process === 'object' &&
-    typeof process.versions?.node === 'string' &&
-    (process as { type?: string }).type !== 'renderer'
-  );
+  const known = processOf();
+  if (typeof known?.versions?.node !== 'string') return false;
+  const { type } = known as { type?: string };
+  return type === undefined || type === 'browser' || type === 'utility';
 }
 
-/** Imports a module of Node's own. The name is put together here so that no bundler tries to follow it. */
-export function nodeModule<T>(name: string): Promise<T> {
+/** Node's working directory. */
+export const workingDirectory = (): string => (processOf() as NodeJS.Process).cwd();
+
+/** Gives a module of Node's own. */
+export async function nodeModule<T>(name: string): Promise<T> {
   const specifier = `node:${name}`;
-  return import(/* @vite-ignore */ /* webpackIgnore: true */ specifier) as Promise<T>;
+  const { getBuiltinModule } = processOf() as { getBuiltinModule?: (name: string) => unknown };
+  // Not in Node before 20.16. The comments keep bundlers from following the import.
+  return (getBuiltinModule?.(specifier) ??
+    (await import(
+      /* webpackIgnore: true */ /* turbopackIgnore: true */ /* @vite-ignore */ specifier
+    ))) as T;
+}
+
+/** The page's address, or in Node that of the working directory: what relative addresses that a caller gives refer to. */
+export async function baseAddress(): Promise<string | undefined> {
+  if (isNode()) {
+    const { pathToFileURL } = await nodeModule<typeof import('node:url')>('url');
+    return `${pathToFileURL(workingDirectory()).href}/`;
+  }
+  const { document, location } = globalThis as { document?: Document; location?: Location };
+  return document?.baseURI ?? location?.href;
 }

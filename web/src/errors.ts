@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The one error type of the package.
+import type { Signal } from './outside-types.js';
 
 /**
  * What went wrong:
@@ -32,14 +33,25 @@ export class KdManifoldError extends Error {
   /** What went wrong, for programs. The message says it for people. */
   readonly code: ErrorCode;
 
-  constructor(code: ErrorCode, message: string, options?: ErrorOptions) {
+  constructor(code: ErrorCode, message: string, options?: { cause?: unknown }) {
     super(message, options);
     this.name = 'KdManifoldError';
     this.code = code;
   }
 }
 
-/** @internal The error for a signal that was aborted. */
-export function aborted(signal?: AbortSignal): KdManifoldError {
-  return new KdManifoldError('ABORTED', 'stopped on request', { cause: signal?.reason });
+/**
+ * @internal What to reject with when a signal was aborted: the reason that it was given. Where it was given none the
+ * platform made an `AbortError`, and this library's own error says it instead.
+ */
+export function aborted(): KdManifoldError;
+export function aborted(signal: Signal | undefined): unknown;
+export function aborted(signal?: Signal): unknown {
+  const reason = signal?.reason;
+  const given = reason !== undefined && !isDefaultReason(reason);
+  return given ? reason : new KdManifoldError('ABORTED', 'stopped on request', { cause: reason });
 }
+
+const isDefaultReason = (reason: unknown): boolean =>
+  Object.prototype.toString.call(reason) === '[object DOMException]' &&
+  (reason as { name: string }).name === 'AbortError';

@@ -12,6 +12,7 @@ import type {
   InputReport,
   ProgressOptions,
 } from './types.js';
+import type { OwnUint8Array } from './outside-types.js';
 
 // Node 20 has the symbol, not every browser has.
 const dispose: typeof Symbol.dispose = Symbol.dispose ?? Symbol.for('Symbol.dispose');
@@ -62,7 +63,7 @@ export class Grid {
    * Makes bytes of the grid, for `KdManifold.loadGrid`: build once, extract many times. The same grid gives
    * the same bytes everywhere; they take less than half of the memory that the grid holds.
    */
-  save(): Uint8Array<ArrayBuffer> {
+  save(): OwnUint8Array {
     const raw = this.#demand();
     return call(this.#health, undefined, () => raw.save());
   }

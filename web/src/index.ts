@@ -3,6 +3,9 @@
 export { KdManifoldError, type ErrorCode } from './errors.js';
 export { Grid } from './grid.js';
 export { formatFromPath, KdManifold } from './library.js';
-export { load, type LoadOptions } from './load.js';
+export { close, preload, type PreloadOptions } from './life-cycle.js';
+export { load } from './load.js';
+export type { LoadOptions, WorkerOptions } from './load-options.js';
 export { makeManifold, type MakeManifoldOptions } from './make-manifold.js';
+export type * from './outside-types.js';
 export type * from './types.js';

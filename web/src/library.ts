@@ -11,6 +11,7 @@ import { toDefects } from './defects.js';
 import { KdManifoldError } from './errors.js';
 import { Grid } from './grid.js';
 import type { RawGrid, RawModule } from './kdmanifold.js';
+import type { OwnUint8Array } from './outside-types.js';
 import type {
   AnalyzeOptions,
   BuildOptions,
@@ -152,7 +153,7 @@ export class KdManifold {
     mesh: PolygonMeshInput,
     format: MeshFormat,
     { exact = false }: { exact?: boolean } = {},
-  ): Uint8Array<ArrayBuffer> {
+  ): OwnUint8Array {
     checkFormat(format);
     const input = checkPolygonMesh(mesh);
     return call(this.#health, undefined, () => this.#raw.formatMesh(input, format, exact));

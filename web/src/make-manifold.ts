@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The one call for most people.
 import { checkBuildOptions, checkExtractOptions, checkMesh } from './check-input.js';
-import { submit } from './client.js';
 import { buffersOf } from './convert.js';
 import { aborted, KdManifoldError } from './errors.js';
-import type { LoadOptions } from './load.js';
+import { checkSource, sourceKeys, type LoadOptions, type WorkerOptions } from './load-options.js';
 import { buildOptions, extractOptions } from './options.js';
+import type { Signal } from './outside-types.js';
 import type {
   BuildOptions,
   Conversion,
@@ -13,17 +13,21 @@ import type {
   MeshInput,
   ProgressOptions,
 } from './types.js';
+import { submit } from './worker/pool.js';
 
 /** Everything that `makeManifold` can be told. */
 export interface MakeManifoldOptions
-  extends BuildOptions, ExtractOptions, ProgressOptions, LoadOptions {
-  /** Stops the conversion, which then rejects with `ABORTED`. */
-  signal?: AbortSignal;
+  extends BuildOptions, ExtractOptions, ProgressOptions, LoadOptions, WorkerOptions {
+  /**
+   * Stops the conversion, which then rejects with the reason that the signal was given; where it was given none, with
+   * `ABORTED`.
+   */
+  signal?: Signal;
   /** Hand the mesh's arrays over instead of copying them; they are empty afterwards. */
   transfer?: boolean;
 }
 
-const own = ['onProgress', 'signal', 'transfer', 'wasmBinary', 'wasmUrl'];
+const own = ['onProgress', 'signal', 'transfer', ...sourceKeys];
 
 /**
  * Makes a closed, oriented 2-manifold mesh of a mesh in whatever state: shells may overlap, nest and
@@ -39,7 +43,8 @@ export async function makeManifold(
 ): Promise<Conversion> {
   const build = checkBuildOptions(options, [...own, ...Object.keys(extractOptions)]);
   const extract = checkExtractOptions(options, [...own, ...Object.keys(buildOptions)]);
-  const { onProgress, signal, transfer = false, wasmBinary, wasmUrl } = options;
+  const { onProgress, signal, transfer = false } = options;
+  const source = checkSource(options);
   if (typeof transfer !== 'boolean') refuse('transfer', 'true or false');
   if (onProgress !== undefined && typeof onProgress !== 'function') {
     refuse('onProgress', 'a function');
@@ -54,7 +59,7 @@ export async function makeManifold(
     transfer: buffersOf(input),
     build,
     extract,
-    source: { wasmBinary, wasmUrl },
+    source,
     signal,
     onProgress,
   });

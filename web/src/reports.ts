@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Types of reports, keys of their parts. Made by scripts/generate-options.mjs, not by hand.
+import type { OwnUint32Array } from './outside-types.js';
 
 /** What the grid was built from. */
 export interface InputReport {
@@ -224,7 +225,7 @@ export interface SelfIntersections {
   /** Pairs of triangles; a quad counts as its two triangles at the corners 0 and 2. */
   pairs: number;
   /** The faces that are part of a pair, ascending: triangles first, then quads. */
-  faces: Uint32Array<ArrayBuffer>;
+  faces: OwnUint32Array;
 }
 
 /** Faces joined by edges, as far as they are not degenerate. */
@@ -276,29 +277,29 @@ export interface MeshDefects {
    */
   balanced: boolean;
   /** Edges with one face, two vertices each, in the order in which the face has them. */
-  boundaryEdges: Uint32Array<ArrayBuffer>;
+  boundaryEdges: OwnUint32Array;
   /**
    * The vertices of each closed round of boundary edges, in the direction of the faces where these
    * agree. Boundary edges that form none (they end on non-manifold edges) are left out.
    */
-  boundaryLoops: Uint32Array<ArrayBuffer>[];
+  boundaryLoops: OwnUint32Array[];
   /** Edges with three or more faces, two vertices each, the lower one first. */
-  nonManifoldEdges: Uint32Array<ArrayBuffer>;
+  nonManifoldEdges: OwnUint32Array;
   /** Edges whose two faces run the same way along them, two vertices each, the lower one first. */
-  misorientedEdges: Uint32Array<ArrayBuffer>;
+  misorientedEdges: OwnUint32Array;
   /** Vertices whose faces do not form one fan. */
-  nonManifoldVertices: Uint32Array<ArrayBuffer>;
+  nonManifoldVertices: OwnUint32Array;
   /** Faces with a repeated vertex. */
-  degenerateFaces: Uint32Array<ArrayBuffer>;
+  degenerateFaces: OwnUint32Array;
   /** Faces of different vertices that lie exactly on one line. */
-  zeroAreaFaces: Uint32Array<ArrayBuffer>;
+  zeroAreaFaces: OwnUint32Array;
   /** Faces over the same vertices as a face before. */
-  duplicateFaces: Uint32Array<ArrayBuffer>;
+  duplicateFaces: OwnUint32Array;
   /**
    * Faces turned against their neighbours, or with their whole part inwards, as far as volume and
    * what can be seen from outside tell: those that the inside rule `repair` turns.
    */
-  flippedFaces: Uint32Array<ArrayBuffer>;
+  flippedFaces: OwnUint32Array;
   /**
    * Only if asked for: pairs of triangles that cross, touch or lie on each other in that way; a
    * quad counts as its two triangles at the corners 0 and 2.
@@ -308,9 +309,9 @@ export interface MeshDefects {
    * Only if asked for: faces that cross or touch others where they share no vertex or edge, and
    * faces that lie on each other.
    */
-  selfIntersectingFaces: Uint32Array<ArrayBuffer>;
+  selfIntersectingFaces: OwnUint32Array;
   /** One entry a face: its number in `parts`; 4294967295 for degenerate faces. */
-  partOf: Uint32Array<ArrayBuffer>;
+  partOf: OwnUint32Array;
   /** The parts, in order of their first faces. */
   parts: MeshPart[];
   /**

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What goes in and what comes out. Options and reports have files of their own.
+import type { OwnFloat32Array, OwnFloat64Array, OwnUint32Array } from './outside-types.js';
 import type { ExtractReport, GridStats, InputReport, OutputReport } from './reports.js';
 
 export type { AnalyzeOptions, BuildOptions, ExtractOptions } from './options.js';
@@ -36,28 +37,28 @@ export interface PolygonMeshInput extends MeshInput {
 /** A mesh as the library gives it: copies that the caller owns. */
 export interface Mesh {
   /** Coordinates, three per vertex. */
-  positions: Float32Array<ArrayBuffer>;
+  positions: OwnFloat32Array;
   /** Vertex numbers, three per triangle, counter-clockwise seen from outside. */
-  indices: Uint32Array<ArrayBuffer>;
+  indices: OwnUint32Array;
   /** Vertex numbers, four per quad; only with the option `quads`, and only if there are any. */
-  quads?: Uint32Array<ArrayBuffer>;
+  quads?: OwnUint32Array;
   /** The input face behind each face: one entry a triangle, then one a quad. */
-  sourceFaces: Uint32Array<ArrayBuffer>;
+  sourceFaces: OwnUint32Array;
   /**
    * Unit normals for shading, nine numbers per triangle (three per corner), then twelve per quad; only
    * with the option `normals`. Vertices on a crease are not doubled: `kdmanifold/three` does that.
    */
-  cornerNormals?: Float32Array<ArrayBuffer>;
+  cornerNormals?: OwnFloat32Array;
 }
 
 /** A mesh from a file, or thickened; positions as precise as they are known. */
 export interface ParsedMesh {
   /** Coordinates, three per vertex. */
-  positions: Float64Array<ArrayBuffer>;
+  positions: OwnFloat64Array;
   /** Vertex numbers, three per triangle. */
-  indices: Uint32Array<ArrayBuffer>;
+  indices: OwnUint32Array;
   /** The face (from 0) of the file, or of the surface, that each triangle was made from. */
-  sourceFaces: Uint32Array<ArrayBuffer>;
+  sourceFaces: OwnUint32Array;
 }
 
 /** The file formats that are read and written. */
@@ -89,6 +90,8 @@ export interface Report {
   seconds: { build: number; extract: number };
   /** Size of the WebAssembly heap, which never shrinks: the most that any call so far needed. */
   peakBytes: number;
+  /** Who did it: a worker, or (`main`) the thread that called, which could do nothing else meanwhile. */
+  thread: 'worker' | 'main';
 }
 
 /** What `makeManifold` gives. */

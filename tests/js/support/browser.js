@@ -18,16 +18,18 @@ const flags = [
 export const launch = () =>
   chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: flags });
 
-/** A page; what goes wrong in it is put into `errors`. */
+/** A page; what goes wrong in it is put into `errors`, what it warns of into `warnings`. */
 export async function openPage(browser, address, options = {}) {
   const page = await browser.newPage({ viewport: { width: 1280, height: 860 }, ...options });
   const errors = [];
+  const warnings = [];
   page.on('pageerror', (error) => errors.push(String(error)));
   page.on('console', (message) => {
     if (message.type() === 'error') errors.push(message.text());
+    if (message.type() === 'warning') warnings.push(message.text());
   });
   await page.goto(address);
-  return { page, errors };
+  return { page, errors, warnings };
 }
 
 /** How many pixels of two screenshots differ visibly; edges may be smoothed a little differently. */

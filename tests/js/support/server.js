@@ -15,14 +15,20 @@ const types = {
 export const strictPolicy =
   "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; connect-src 'self'";
 
-/** Serves `folder`; `headers` go with every answer. Resolves to {address, close}. */
-export function serve(folder, headers = {}) {
+/**
+ * Serves `folder`; `headers` go with every answer. `instead` holds contents by path that stand in place of files;
+ * null: there is none; a page is told as such. Resolves to {address, close}.
+ */
+export function serve(folder, headers = {}, instead = {}) {
   const server = createServer(async (request, response) => {
     const path = new URL(request.url, 'http://local').pathname;
     const file = join(folder, normalize(path.endsWith('/') ? `${path}index.html` : path));
     try {
-      const content = await readFile(file);
-      response.writeHead(200, { 'content-type': types[extname(file)] ?? 'text/plain', ...headers });
+      const content = path in instead ? instead[path] : await readFile(file);
+      if (content === null) throw new Error('not there');
+      const isPage = String(content.slice(0, 9)) === '<!doctype';
+      const type = isPage ? 'text/html' : (types[extname(file)] ?? 'text/plain');
+      response.writeHead(200, { 'content-type': type, ...headers });
       response.end(content);
     } catch {
       response.writeHead(404).end();

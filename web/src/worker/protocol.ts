@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the two ends of the worker say to each other.
-import type { ErrorCode } from './errors.js';
-import type { BuildOptions, Conversion, ExtractOptions, MeshInput } from './types.js';
+import type { ErrorCode } from '../errors.js';
+import type { BuildOptions, Conversion, ExtractOptions, MeshInput } from '../types.js';
 
 /** To the worker: the compiled module once, then one conversion after the other. */
 export type Request =
@@ -22,5 +22,6 @@ export interface WorkerPort {
   listen(onReply: (reply: Reply) => void, onDeath: (reason: string) => void): void;
   /** Whether the worker keeps the process alive (Node only). */
   hold(alive: boolean): void;
-  terminate(): void;
+  /** Ends the worker. Resolves when it is gone, as far as that can be known. */
+  terminate(): Promise<void>;
 }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The worker's end of the protocol: a module worker in browsers, a worker thread in Node.
-import { buffersOf, convert } from './convert.js';
-import { isNode, nodeModule } from './environment.js';
-import { KdManifoldError } from './errors.js';
-import type { KdManifold } from './library.js';
-import { instantiate } from './load.js';
+// The worker's end of the protocol: a module worker in browsers, a worker thread in Node. This file
+// becomes kdmanifold-worker.js, in one piece, which needs no other file of the package.
+import { buffersOf, convert } from '../convert.js';
+import { isNode, nodeModule } from '../environment.js';
+import { KdManifoldError } from '../errors.js';
+import { instantiate } from '../instantiate.js';
+import createModule from '../kdmanifold.js';
+import { KdManifold } from '../library.js';
 import type { Reply, Request } from './protocol.js';
 
 // TypeScript knows the types of a page or of a worker, never both at a time.
@@ -23,7 +25,7 @@ function serve(post: Post): (request: Request) => Promise<void> {
   return async (request) => {
     try {
       if (request.type === 'start') {
-        library = await instantiate(request.module);
+        library = KdManifold.of(await instantiate(createModule, request.module));
         post({ type: 'ready' });
         return;
       }
@@ -35,6 +37,7 @@ function serve(post: Post): (request: Request) => Promise<void> {
         reported = now;
         post({ type: 'progress', fraction, phase });
       });
+      conversion.report.thread = 'worker';
       post({ type: 'done', conversion }, buffersOf(conversion.mesh));
     } catch (error) {
       const known = error instanceof KdManifoldError;
@@ -47,10 +50,12 @@ function serve(post: Post): (request: Request) => Promise<void> {
   };
 }
 
+// No await at the top: bundlers' workers do not all allow it. Until Node's module is there, messages wait.
 if (isNode()) {
-  const { parentPort } = await nodeModule<typeof import('node:worker_threads')>('worker_threads');
-  const handle = serve((reply, transfer) => parentPort?.postMessage(reply, transfer));
-  parentPort?.on('message', (request: Request) => void handle(request));
+  void nodeModule<typeof import('node:worker_threads')>('worker_threads').then(({ parentPort }) => {
+    const handle = serve((reply, transfer) => parentPort?.postMessage(reply, transfer));
+    parentPort?.on('message', (request: Request) => void handle(request));
+  });
 } else {
   const scope = globalThis as unknown as WorkerScope;
   const handle = serve((reply, transfer = []) => scope.postMessage(reply, transfer));

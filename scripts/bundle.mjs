@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// Makes dist/, the files that are published, of build/js/: few files, so that a page without a bundler
+// fetches little and soon. All code lies in dist/ itself, since it names the other files as its neighbours.
+import { chmodSync, copyFileSync, cpSync, mkdirSync, writeFileSync } from 'node:fs';
+import { root, tool } from './run.mjs';
+
+const from = `${root}/build/js`;
+const to = `${root}/dist`;
+
+const bundle = (entries, ...settings) =>
+  tool('esbuild', [
+    ...entries.map((name) => `${from}/${name}.js`),
+    // Not minified: what comments in imports tell other bundlers would be lost.
+    ...['--bundle', '--packages=external', '--target=es2022'],
+    ...['--charset=utf8', '--log-level=warning', ...settings],
+  ]);
+
+/** Bundles modules, worker and CommonJS, and adds the WebAssembly files and the types of both. */
+export function bundlePackage() {
+  mkdirSync(to, { recursive: true });
+  bundle(
+    ['index', 'three', 'cli'],
+    ...['--format=esm', '--splitting', `--outdir=${to}`, '--chunk-names=[name]-[hash]'],
+  );
+  // In one piece, so that it works wherever it is copied to.
+  bundle(['worker/serve'], ...['--format=esm', `--outfile=${to}/kdmanifold-worker.js`]);
+  // For `require`, which reaches Node alone (package.json). Its files are the neighbours of the modules.
+  bundle(
+    ['index', 'three'],
+    ...['--format=cjs', '--platform=node', `--outdir=${to}/cjs`],
+    ...['--define:import.meta.url=kdmModuleUrl', `--banner:js=${moduleUrl}`],
+  );
+  writeFileSync(`${to}/cjs/package.json`, '{ "type": "commonjs" }\n');
+  copyFileSync(`${from}/kdmanifold.wasm`, `${to}/kdmanifold.wasm`);
+  chmodSync(`${to}/cli.js`, 0o755);
+  const isType = (path) => !/\.[a-z]+$/.test(path) || /\.d\.ts$/.test(path);
+  for (const folder of [`${to}/types`, `${to}/cjs`]) {
+    cpSync(from, folder, { recursive: true, filter: isType });
+  }
+}
+
+// The address of dist/index.js, as seen from dist/cjs/.
+const moduleUrl =
+  `const kdmModuleUrl = require('node:url').pathToFileURL(` +
+  `require('node:path').join(__dirname, '../index.js')).href;`;

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// Where the package's files come from, and who works.
+import { KdManifoldError } from './errors.js';
+import type { Address, CompiledModule, WorkerLike } from './outside-types.js';
+
+/** Where the WebAssembly files come from, if not from beside the package's own files. */
+export interface LoadOptions {
+  /** The content of `kdmanifold.wasm`, or the compiled module. */
+  wasmBinary?: ArrayBuffer | ArrayBufferView | CompiledModule;
+  /**
+   * The address of `kdmanifold.wasm`, for instance as a bundler or a content delivery network has it.
+   * A relative one is relative to the page, in Node to the working directory.
+   */
+  wasmUrl?: Address;
+}
+
+/** Where conversions are done. */
+export interface WorkerOptions {
+  /** The address of `kdmanifold-worker.js`, if it does not lie beside the package's own files; of another origin, too. */
+  workerUrl?: Address;
+  /**
+   * A worker that runs `kdmanifold/worker`, or a function that starts one, for bundlers that want it so;
+   * false: the calling thread does the work, and can do nothing else meanwhile.
+   */
+  worker?: WorkerLike | (() => WorkerLike) | false;
+  /** How many conversions may be done at a time, each in a worker with memory of its own: a whole number from 1, the default, to 64. */
+  concurrency?: number;
+}
+
+/** The names of these options. */
+export const sourceKeys = ['wasmBinary', 'wasmUrl', 'workerUrl', 'worker', 'concurrency'] as const;
+
+/** @internal All of them, checked. */
+export type Source = LoadOptions & WorkerOptions & { concurrency: number };
+
+const refuse = (name: string, expected: string): never => {
+  throw new KdManifoldError('INVALID_OPTION', `${name}: expected ${expected}`);
+};
+
+const isAddress = (value: unknown): boolean =>
+  typeof value === 'string' || typeof (value as { href?: unknown } | null)?.href === 'string';
+
+/** @internal Checks and returns the options that say where from. */
+export function checkSource(options: LoadOptions & WorkerOptions): Source {
+  const { wasmBinary, wasmUrl, workerUrl, worker, concurrency = 1 } = options;
+  if (wasmUrl !== undefined && !isAddress(wasmUrl)) refuse('wasmUrl', 'a string or a URL');
+  if (workerUrl !== undefined && !isAddress(workerUrl)) refuse('workerUrl', 'a string or a URL');
+  if (wasmBinary !== undefined && !isBinary(wasmBinary)) {
+    refuse('wasmBinary', 'an ArrayBuffer, a typed array or a WebAssembly.Module');
+  }
+  if (worker !== undefined && worker !== false && !isWorker(worker)) {
+    refuse('worker', 'a Worker, a function that starts one, or false');
+  }
+  if (!Number.isInteger(concurrency) || concurrency < 1 || concurrency > 64) {
+    refuse('concurrency', `a whole number from 1 to 64, got ${String(concurrency)}`);
+  }
+  if (concurrency > 1 && typeof worker === 'object') {
+    refuse('worker', `a function that starts workers, as concurrency is ${concurrency}`);
+  }
+  return { wasmBinary, wasmUrl, workerUrl, worker, concurrency };
+}
+
+function isBinary(value: unknown): boolean {
+  const kind = Object.prototype.toString.call(value);
+  return ArrayBuffer.isView(value) || /ArrayBuffer\]$|WebAssembly.Module\]$/.test(kind);
+}
+
+function isWorker(value: unknown): boolean {
+  if (typeof value === 'function') return true;
+  return typeof (value as { postMessage?: unknown } | null)?.postMessage === 'function';
+}

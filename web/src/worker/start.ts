@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// Starts a worker and hands it the compiled module, or finds out why that cannot be.
+import { isNode } from '../environment.js';
+import type { Source } from '../load-options.js';
+import { compile } from '../load.js';
+import { openWorker } from './ports.js';
+import type { WorkerPort } from './protocol.js';
+
+/** A worker that is ready, or the reason why there is none. */
+export type Start = { port: WorkerPort } | { reason: string };
+
+// Milliseconds that a worker may take from its start to its first word, its script's loading included.
+const patience = 60_000;
+
+/** Starts one worker while the module is compiled. Rejects if the module cannot be had. */
+export async function start(source: Source): Promise<Start> {
+  const violations = watchPolicy();
+  const compiling = compile(source);
+  compiling.catch(() => {}); // told below
+  let port: WorkerPort | undefined;
+  try {
+    // The script is loaded while the module is compiled.
+    port = await openWorker(source);
+    const died = firstDeath(port);
+    const module = await Promise.race([compiling, died]);
+    await Promise.race([greet(port, module), died]);
+    return { port };
+  } catch (error) {
+    void port?.terminate();
+    await compiling; // its failure is the one to tell
+    return {
+      reason: violations.reason() ?? (error instanceof Error ? error.message : String(error)),
+    };
+  } finally {
+    violations.end();
+  }
+}
+
+const ignore = (): void => {};
+
+/** Rejects when the worker dies; listens from now on, so that no word of it is lost. */
+function firstDeath(port: WorkerPort): Promise<never> {
+  return new Promise((_, reject) => port.listen(ignore, (reason) => reject(new Error(reason))));
+}
+
+function greet(port: WorkerPort, module: WebAssembly.Module): Promise<void> {
+  return new Promise((resolve, reject) => {
+    const timer = setTimeout(
+      () => reject(new Error(`it did not answer; is its script kdmanifold/worker?`)),
+      patience,
+    );
+    const settle = (act: () => void): void => {
+      clearTimeout(timer);
+      act();
+    };
+    port.listen(
+      (reply) =>
+        settle(() =>
+          reply.type === 'ready'
+            ? resolve()
+            : reject(new Error('message' in reply ? reply.message : `it said ${reply.type}`)),
+        ),
+      (reason) => settle(() => reject(new Error(reason))),
+    );
+    try {
+      port.post({ type: 'start', module }, []);
+    } catch (error) {
+      settle(() => reject(error));
+    }
+  });
+}
+
+/** Listens for what a page's content-security policy forbids meanwhile: the worker itself is not told. */
+function watchPolicy(): { reason(): string | null; end(): void } {
+  const { document } = globalThis as { document?: Document };
+  if (isNode() || document === undefined) return { reason: () => null, end: ignore };
+  let found: string | null = null;
+  const hear = (event: SecurityPolicyViolationEvent): void => {
+    const { effectiveDirective, blockedURI } = event;
+    if (!/^(worker|script|child)-src/.test(effectiveDirective)) return;
+    found = `the content-security policy's ${effectiveDirective} does not allow ${blockedURI || 'it'}`;
+  };
+  document.addEventListener('securitypolicyviolation', hear);
+  return {
+    reason: () => found,
+    end: () => document.removeEventListener('securitypolicyviolation', hear),
+  };
+}
