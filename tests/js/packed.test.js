@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The package as npm delivers it: packed, installed in an empty folder, used in Node, in TypeScript
-// and on a plain page without any bundler.
-import { copyFileSync, mkdirSync, mkdtempSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
+// The package as npm delivers it: packed, installed in an empty folder, used in Node and on a plain page
+// without any bundler. (types.test.js: in TypeScript; bundlers.test.js: with bundlers.)
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { launch, openPage } from './support/browser.js';
@@ -76,31 +76,6 @@ test('its command line runs through npx', () => {
   );
   expect(status).toBe(0);
   expect(JSON.parse(stdout).output.twoManifold).toBe(true);
-});
-
-test('its types hold under tsc --strict', () => {
-  const modules = join(folder, 'node_modules');
-  mkdirSync(join(modules, '@types'), { recursive: true });
-  for (const name of ['three', '@types/three', '@types/node']) {
-    symlinkSync(join(root, 'node_modules', name), join(modules, name));
-  }
-  copyFileSync(join(root, 'tests/types/usage.ts'), join(folder, 'usage.ts'));
-  const compilerOptions = {
-    strict: true,
-    noEmit: true,
-    target: 'es2022',
-    module: 'nodenext',
-    lib: ['es2022', 'esnext.disposable', 'dom'],
-    types: [],
-  };
-  writeFileSync(
-    join(folder, 'tsconfig.json'),
-    JSON.stringify({ compilerOptions, files: ['usage.ts'] }),
-  );
-  const { status, stdout } = execute(join(root, 'node_modules/.bin/tsc'), ['-p', '.'], {
-    cwd: folder,
-  });
-  expect({ status, stdout }).toEqual({ status: 0, stdout: '' });
 });
 
 test('runs on a plain page under a strict content-security policy, in a worker', async () => {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-/// <reference lib="esnext.disposable" preserve="true" />
 // The handle of a grid that lives in WebAssembly memory.
 import { call, type Health } from './call.js';
 import { checkExtractOptions } from './check-input.js';
