@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // `npm run bench`: sets up and hands over to tests/bench/bench.mjs, with the same arguments;
-// `npm run bench -- --compare COMMIT` to tests/bench/compare.mjs.
+// `npm run bench -- --compare COMMIT` to compare.mjs, `--cold-start` to cold_start.mjs, `--peers` to peers.mjs.
 import { run, setup } from './run.mjs';
 
 setup('wasm', 'native', 'test');
 const [first, ...rest] = process.argv.slice(2);
-const script = first === '--compare' ? 'compare' : 'bench';
-const args = first === '--compare' ? rest : process.argv.slice(2);
+const others = { '--compare': 'compare', '--cold-start': 'cold_start', '--peers': 'peers' };
+const script = others[first] ?? 'bench';
+const args = first in others ? rest : process.argv.slice(2);
 run(process.execPath, [`tests/bench/${script}.mjs`, ...args]);
