@@ -58,8 +58,11 @@ export async function meshoptimizer(mesh, resolution, flags = []) {
 
 let manifoldModule;
 
-/** manifold-3d takes closed manifold input only and gives it back as it is: a lower bound. */
-export async function manifold3d(mesh) {
+/**
+ * manifold-3d takes closed manifold input only and gives it back as it is: a lower bound. With `union` its parts are
+ * joined first.
+ */
+export async function manifold3d(mesh, { union = false } = {}) {
   if (manifoldModule === undefined) {
     const { default: Module } = await import('manifold-3d');
     manifoldModule = await Module();
@@ -76,6 +79,7 @@ export async function manifold3d(mesh) {
     });
     input.merge();
     manifold = new Manifold(input);
+    if (union) manifold = joined(manifold);
     const result = manifold.getMesh();
     const seconds = now() - start;
     return {
@@ -87,6 +91,15 @@ export async function manifold3d(mesh) {
   } finally {
     manifold?.delete();
   }
+}
+
+function joined(manifold) {
+  const { Manifold } = manifoldModule;
+  const parts = manifold.decompose();
+  manifold.delete();
+  const union = Manifold.union(parts);
+  for (const part of parts) part.delete();
+  return union;
 }
 
 /** Joins corners of exactly equal position: peers give soups, which are judged at their best. */
