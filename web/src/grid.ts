@@ -51,6 +51,20 @@ export class Grid {
   /**
    * Makes the surface of the grid: closed, oriented outwards, 2-manifold. Of a `sheet` it is a 2-manifold
    * with boundary, turned as the input is. The grid stays as it is.
+   *
+   * @param options - what the result must be like, and a callback for progress
+   * @returns the mesh, whose arrays are the caller's, and the account of how it was made
+   * @throws {@link KdManifoldError} with `INVALID_OPTION`, `OUT_OF_MEMORY`, `ABORTED`, `DELETED`
+   *
+   * @example
+   * ```js
+   * import { load } from 'kdmanifold';
+   *
+   * const grid = (await load()).buildGrid({ positions, indices });
+   * const mesh = grid.extract({ strict: 'embedded', normals: true });
+   * console.log(mesh.indices.length / 3, mesh.report.crossings);
+   * grid.delete();
+   * ```
    */
   extract(options: ExtractOptions & ProgressOptions = {}): ExtractedMesh {
     const raw = this.#demand();
@@ -61,13 +75,36 @@ export class Grid {
   /**
    * Makes bytes of the grid, for `KdManifold.loadGrid`: build once, extract many times. The same grid gives
    * the same bytes everywhere; they take less than half of the memory that the grid holds.
+   *
+   * @returns the bytes
+   * @throws {@link KdManifoldError} with `OUT_OF_MEMORY` or `DELETED`
+   *
+   * @example
+   * ```js
+   * import { load } from 'kdmanifold';
+   *
+   * const grid = (await load()).buildGrid({ positions, indices });
+   * const bytes = grid.save();
+   * console.log(bytes.length);
+   * grid.delete();
+   * ```
    */
   save(): OwnUint8Array {
     const raw = this.#demand();
     return call(this.#health, undefined, () => raw.save());
   }
 
-  /** Frees the memory; calling it again does nothing, calling anything else throws `DELETED`. */
+  /**
+   * Frees the memory; calling it again does nothing, calling anything else throws `DELETED`.
+   *
+   * @example
+   * ```js
+   * import { load } from 'kdmanifold';
+   *
+   * const grid = (await load()).buildGrid({ positions, indices });
+   * grid.delete();
+   * ```
+   */
   delete(): void {
     if (this.#raw === null) return;
     this.#registry.unregister(this);

@@ -27,7 +27,20 @@ import type {
 
 const formats: readonly string[] = ['obj', 'stl', 'ply', 'off'] satisfies MeshFormat[];
 
-/** Returns the format that a file name's extension stands for (any case); throws `IO_ERROR` for others. */
+/**
+ * Returns the format that a file name's extension stands for, in any case.
+ *
+ * @param path - a file's name, with or without folders
+ * @returns the format, as `parseMesh` and `formatMesh` take it
+ * @throws {@link KdManifoldError} with `IO_ERROR` for other extensions
+ *
+ * @example
+ * ```js
+ * import { formatFromPath } from 'kdmanifold';
+ *
+ * console.log(formatFromPath('parts/bracket.STL')); // stl
+ * ```
+ */
 export function formatFromPath(path: string): MeshFormat {
   const extension = /\.([^./\\]+)$/.exec(path)?.[1]?.toLowerCase() ?? '';
   if (formats.includes(extension)) return extension as MeshFormat;
@@ -73,6 +86,20 @@ export class KdManifold {
    * Builds the grid of a mesh, whose shells may overlap, nest and intersect. With the default inside rule,
    * `repair`, the mesh may be open and its faces may disagree; `sheet` and `thicken` take any surface. The
    * other rules refuse meshes that are not closed and consistently oriented (`NOT_CLOSED`).
+   *
+   * @param mesh - the triangles; their arrays are read, not kept
+   * @param options - how to split, what counts as inside, and a callback for progress
+   * @returns the grid, which holds memory until `delete()`
+   * @throws {@link KdManifoldError} with `INVALID_MESH`, `INVALID_OPTION`, `NOT_CLOSED`, `OUT_OF_MEMORY`, `ABORTED`
+   *
+   * @example
+   * ```js
+   * import { load } from 'kdmanifold';
+   *
+   * const grid = (await load()).buildGrid({ positions, indices }, { tolerance: 0.01 });
+   * console.log(grid.stats.leaves, grid.stats.topologyResolved);
+   * grid.delete();
+   * ```
    */
   buildGrid(mesh: MeshInput, options: BuildOptions & ProgressOptions = {}): Grid {
     const checked = checkBuildOptions(options, ['onProgress']);
@@ -85,8 +112,22 @@ export class KdManifold {
 
   /**
    * Loads the grid that `Grid.save` or the command line's `--save-grid` made. All of it is checked: bytes
-   * that are cut off, damaged or made up are refused (`PARSE_ERROR`); `name` is what error messages
-   * call them.
+   * that are cut off, damaged or made up are refused.
+   *
+   * @param content - the bytes
+   * @param name - what error messages call them
+   * @returns the grid, which holds memory until `delete()`
+   * @throws {@link KdManifoldError} with `PARSE_ERROR` or `OUT_OF_MEMORY`
+   *
+   * @example
+   * ```js
+   * import { load } from 'kdmanifold';
+   *
+   * const kdm = await load();
+   * const built = kdm.buildGrid({ positions, indices });
+   * const again = kdm.loadGrid(built.save(), 'part.kdgrid');
+   * for (const grid of [built, again]) grid.delete();
+   * ```
    */
   loadGrid(content: Uint8Array | ArrayBuffer, name = 'grid'): Grid {
     const bytes = bytesOf(content);
@@ -97,6 +138,19 @@ export class KdManifold {
   /**
    * Finds what is wrong with a mesh of any kind: open edges, holes, faces that disagree, doubled and
    * degenerate ones, parts inside out, with lists of all of them.
+   *
+   * @param mesh - triangles, and quads if there are any
+   * @param options - what takes longer is looked for on request
+   * @returns the lists
+   * @throws {@link KdManifoldError} with `INVALID_MESH` or `INVALID_OPTION`
+   *
+   * @example
+   * ```js
+   * import { load } from 'kdmanifold';
+   *
+   * const defects = (await load()).analyze({ positions, indices }, { selfIntersections: true });
+   * console.log(defects.boundaryLoops.length, defects.selfIntersectingFaces.length);
+   * ```
    */
   analyze(mesh: PolygonMeshInput, options: AnalyzeOptions = {}): MeshDefects {
     const checked = checkAnalyzeOptions(options);
@@ -108,6 +162,20 @@ export class KdManifold {
    * Makes a closed shell around a surface, half of `thickness` (model units, above 0) to either side: what an
    * open surface needs to be printed. Its parts may overlap; `buildGrid` makes their union, and with
    * the option `thicken` does both.
+   *
+   * @param mesh - the surface
+   * @param thickness - in model units, above 0
+   * @returns the shell
+   * @throws {@link KdManifoldError} with `INVALID_MESH` or `INVALID_OPTION`
+   *
+   * @example
+   * ```js
+   * import { load } from 'kdmanifold';
+   *
+   * const kdm = await load();
+   * const shell = kdm.thicken({ positions, indices: indices.slice(0, 3) }, 0.1);
+   * console.log(kdm.describe(shell).closed); // true
+   * ```
    */
   thicken(mesh: PolygonMeshInput, thickness: number): ParsedMesh {
     if (!(Number.isFinite(thickness) && thickness > 0)) {
@@ -120,19 +188,61 @@ export class KdManifold {
     return call(this.#health, undefined, () => this.#raw.thicken(input, thickness));
   }
 
-  /** Counts vertices, faces, parts and faulty edges, and says whether the mesh is 2-manifold. */
+  /**
+   * Counts vertices, faces, parts and faulty edges, and says whether the mesh is 2-manifold.
+   *
+   * @param mesh - triangles, and quads if there are any
+   * @returns the counts
+   * @throws {@link KdManifoldError} with `INVALID_MESH`
+   *
+   * @example
+   * ```js
+   * import { load } from 'kdmanifold';
+   *
+   * console.log((await load()).describe({ positions, indices }).twoManifold);
+   * ```
+   */
   describe(mesh: PolygonMeshInput): MeshReport {
     const input = checkPolygonMesh(mesh);
     return call(this.#health, undefined, () => this.#raw.describe(input));
   }
 
-  /** Finds the faces that cross or touch others, exactly, for the coordinates as they are. */
+  /**
+   * Finds the faces that cross or touch others, exactly, for the coordinates as they are.
+   *
+   * @param mesh - triangles, and quads if there are any
+   * @returns the faces, and how many pairs they make
+   * @throws {@link KdManifoldError} with `INVALID_MESH`
+   *
+   * @example
+   * ```js
+   * import { load } from 'kdmanifold';
+   *
+   * console.log((await load()).findSelfIntersections({ positions, indices }).pairs);
+   * ```
+   */
   findSelfIntersections(mesh: PolygonMeshInput): SelfIntersections {
     const input = checkPolygonMesh(mesh);
     return call(this.#health, undefined, () => this.#raw.findSelfIntersections(input));
   }
 
-  /** Reads a file's content; `name` is what error messages call it. */
+  /**
+   * Reads a file's content.
+   *
+   * @param content - bytes, or the text of an OBJ, OFF, text STL or text PLY
+   * @param format - which it is
+   * @param name - what error messages call it
+   * @returns the mesh; polygons are cut into triangles, which `sourceFaces` tells
+   * @throws {@link KdManifoldError} with `PARSE_ERROR` (line, byte or rule), `INVALID_OPTION`, `OUT_OF_MEMORY`
+   *
+   * @example
+   * ```js
+   * import { load } from 'kdmanifold';
+   *
+   * const mesh = (await load()).parseMesh('v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n', 'obj', 'one.obj');
+   * console.log(mesh.indices.length); // 3
+   * ```
+   */
   parseMesh(
     content: Uint8Array | ArrayBuffer | string,
     format: MeshFormat,
@@ -148,6 +258,20 @@ export class KdManifold {
    * Makes the content of a file with the mesh (STL and PLY binary). Positions are 32-bit numbers; in text (OBJ, OFF)
    * the shortest that read back as the same, or, if `exact`, those that do so in 64 bits too: for programs that
    * must not see the surface moved, as by `strict: 'embedded'`.
+   *
+   * @param mesh - triangles, and quads if there are any
+   * @param format - which to write
+   * @param options - `exact`: 64 bits in text
+   * @returns the file's bytes
+   * @throws {@link KdManifoldError} with `INVALID_MESH` or `INVALID_OPTION`
+   *
+   * @example
+   * ```js
+   * import { load } from 'kdmanifold';
+   *
+   * const bytes = (await load()).formatMesh({ positions, indices }, 'stl');
+   * console.log(bytes.length === 84 + 50 * (indices.length / 3)); // true
+   * ```
    */
   formatMesh(
     mesh: PolygonMeshInput,
@@ -159,7 +283,18 @@ export class KdManifold {
     return call(this.#health, undefined, () => this.#raw.formatMesh(input, format, exact));
   }
 
-  /** Bytes of the WebAssembly heap, which never shrinks, and bytes of it in use. */
+  /**
+   * Says how much memory WebAssembly holds.
+   *
+   * @returns bytes of the heap, which never shrinks, and bytes of it in use
+   *
+   * @example
+   * ```js
+   * import { load } from 'kdmanifold';
+   *
+   * console.log((await load()).memory().heapBytes / 2 ** 20, 'MB');
+   * ```
+   */
   memory(): { heapBytes: number; usedBytes: number } {
     return this.#raw.memory();
   }

@@ -13,7 +13,20 @@ let current: KdManifold | undefined;
 
 /**
  * Loads the library onto the calling thread. The first call decides where from; later ones give the
- * same object, until `close`. If it fails (`LOAD_FAILED`) the next call tries again.
+ * same object, until `close`.
+ *
+ * @param options - where the WebAssembly file comes from, if not from beside the package's files
+ * @returns the library; its functions are done when they return
+ * @throws {@link KdManifoldError} with `LOAD_FAILED`, whose message says what to do; the next call tries again
+ *
+ * @example
+ * ```js
+ * import { load } from 'kdmanifold';
+ *
+ * const kdm = await load();
+ * const mesh = kdm.parseMesh('v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n', 'obj');
+ * console.log(kdm.describe(mesh).boundaryEdges); // 3
+ * ```
  */
 export async function load(options: LoadOptions = {}): Promise<KdManifold> {
   const source = checkSource(options);

@@ -34,8 +34,22 @@ const own = ['onProgress', 'signal', 'transfer', ...sourceKeys];
  * intersect; with the default inside rule, `repair`, holes are closed and faces that are turned the
  * wrong way are turned back. (With `inside: 'sheet'` the result may have a boundary.) Works in a
  * worker (in Node: a worker thread), so that the calling thread stays free, one conversion after the
- * other; where there are no workers, on the calling thread. Rejects with `NOT_CLOSED` what encloses
- * nothing.
+ * other unless `concurrency` allows more; where no worker can be started, on the calling thread, which
+ * a warning and `report.thread` tell.
+ *
+ * @param mesh - the triangles, in whatever state; their arrays are copied unless `transfer` is set
+ * @param options - how to build and extract, where to work, how to be told and stopped
+ * @returns the mesh, whose arrays are the caller's, and the account of how it was made
+ * @throws {@link KdManifoldError} with `INVALID_MESH`, `INVALID_OPTION`, `NOT_CLOSED` (what encloses nothing),
+ * `OUT_OF_MEMORY`, `ABORTED`, `LOAD_FAILED`; a signal's own reason where it was given one
+ *
+ * @example
+ * ```js
+ * import { makeManifold } from 'kdmanifold';
+ *
+ * const { mesh, report } = await makeManifold({ positions, indices }, { relativeTolerance: 0.002 });
+ * console.log(mesh.indices.length / 3, report.output.twoManifold, report.thread);
+ * ```
  */
 export async function makeManifold(
   mesh: MeshInput,

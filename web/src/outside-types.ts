@@ -7,15 +7,21 @@ export type Address = string | { readonly href: string };
 
 /** An `AbortSignal`, or what behaves like one. */
 export interface Signal {
+  /** Whether it has been aborted already. */
   readonly aborted: boolean;
+  /** What it was aborted with. */
   readonly reason?: unknown;
+  /** @hidden */
   addEventListener(type: 'abort', listener: () => void): void;
+  /** @hidden */
   removeEventListener(type: 'abort', listener: () => void): void;
 }
 
 /** A `Worker` of a browser, or what behaves like one. */
 export interface WorkerLike {
+  /** @hidden */
   postMessage(message: unknown, transfer: ArrayBuffer[]): void;
+  /** @hidden */
   terminate(): void;
 }
 
