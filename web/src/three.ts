@@ -1,40 +1,12 @@
 // SPDX-License-Identifier: MIT
 // `kdmanifold/three`: makes meshes of three.js geometries, and geometries of meshes.
 import { BufferAttribute, BufferGeometry } from 'three';
-import type { InterleavedBufferAttribute } from 'three';
-import { KdManifoldError } from './errors.js';
 import type { PolygonMeshInput } from './types.js';
 
-/**
- * Makes a mesh of a geometry, by copying its positions and, if there is one, its index. Other
- * attributes, groups and the draw range are not looked at.
- */
-export function fromBufferGeometry(geometry: BufferGeometry): {
-  positions: Float32Array<ArrayBuffer> | Float64Array<ArrayBuffer>;
-  indices: Uint32Array<ArrayBuffer> | null;
-} {
-  const attribute = geometry.getAttribute('position') as
-    BufferAttribute | InterleavedBufferAttribute | undefined;
-  if (attribute === undefined) {
-    throw new KdManifoldError('INVALID_MESH', 'the geometry has no attribute "position"');
-  }
-  if (attribute.itemSize !== 3) {
-    throw new KdManifoldError(
-      'INVALID_MESH',
-      `the attribute "position" has ${attribute.itemSize} numbers per vertex, not 3`,
-    );
-  }
-  const Positions = attribute.array instanceof Float64Array ? Float64Array : Float32Array;
-  const positions = new Positions(attribute.count * 3);
-  // The getters see through interleaving and normalisation.
-  for (let i = 0; i < attribute.count; ++i) {
-    positions[3 * i] = attribute.getX(i);
-    positions[3 * i + 1] = attribute.getY(i);
-    positions[3 * i + 2] = attribute.getZ(i);
-  }
-  const index = geometry.getIndex();
-  return { positions, indices: index === null ? null : Uint32Array.from(index.array) };
-}
+export { fromBufferGeometry, type GeometryMesh } from './three/from-geometry.js';
+export { fromObject3D, type FromObject3DOptions, type ObjectMesh } from './three/from-object.js';
+export type { Skipped } from './three/collect.js';
+export type { MeshSource, SourcedMesh, SourcePart } from './three/source.js';
 
 /**
  * Makes a geometry of a mesh. Without `cornerNormals` it has the mesh's own arrays (not copies of them)
