@@ -16,8 +16,25 @@ import {
   type ParsedMesh,
   type Report,
 } from 'kdmanifold';
-import { fromBufferGeometry, toBufferGeometry } from 'kdmanifold/three';
-import { BoxGeometry, type BufferGeometry } from 'three';
+import {
+  fromBufferGeometry,
+  fromObject3D,
+  toBufferGeometry,
+  toMesh,
+  type ObjectMesh,
+  type Skipped,
+  type SourcePart,
+} from 'kdmanifold/three';
+import {
+  BoxGeometry,
+  BufferGeometry,
+  Group,
+  InstancedMesh,
+  Mesh as ThreeMesh,
+  MeshBasicMaterial,
+  type Material,
+  type Object3D,
+} from 'three';
 
 const soup: MeshInput = { positions: new Float32Array(9) };
 const indexed: MeshInput = { positions: new Float64Array(9), indices: new Uint16Array(3) };
@@ -54,12 +71,24 @@ kdm.loadGrid(saved, 'part.kdgrid').delete();
 
 const bytes: Uint8Array = kdm.formatMesh(kdm.parseMesh('', 'obj'), 'stl');
 const geometry: BufferGeometry = toBufferGeometry(mesh);
-kdm.describe(fromBufferGeometry(new BoxGeometry()));
+const box = fromBufferGeometry(new BoxGeometry());
+kdm.describe(box);
+toBufferGeometry(mesh, { from: box, attributes: ['uv'], seamTolerance: 0.001 });
+
+const instanced = new InstancedMesh(new BoxGeometry(), [new MeshBasicMaterial()], 3);
+const group: Object3D = new Group().add(instanced, new ThreeMesh());
+const from: ObjectMesh = fromObject3D(group, { onlyVisible: false });
+fromObject3D(new BufferGeometry());
+const converted: Conversion = await makeManifold(from);
+const shown: ThreeMesh = toMesh(converted.mesh, from, { attributes: [] });
+const materials: Material[] = from.source.materials;
+const part: SourcePart | undefined = from.source.parts[0];
+const skipped: Skipped[] = from.skipped;
 const shell: ParsedMesh = kdm.thicken(soup, 0.1);
 const defects: MeshDefects = kdm.analyze(soup, { selfIntersections: true });
 const loop: Uint32Array | undefined = defects.boundaryLoops[0];
-const part: MeshPart | undefined = defects.parts[0];
-const handles: number | null = part?.genus ?? null;
+const piece: MeshPart | undefined = defects.parts[0];
+const handles: number | null = piece?.genus ?? null;
 
 try {
   grid.extract();
@@ -76,7 +105,12 @@ await makeManifold({ positions: [0, 0, 0] });
 kdm.buildGrid(soup, { strategy: 'best' });
 // @ts-expect-error no such option
 grid.extract({ depth: 3 });
+// @ts-expect-error no such option
+toBufferGeometry(mesh, { source: box });
+// @ts-expect-error a mesh without source
+toMesh(mesh, soup);
 // @ts-expect-error grids come from buildGrid
 new Grid();
 
 export { bytes, geometry, handles, loop, shell, triangles, words };
+export { materials, part, shown, skipped };
