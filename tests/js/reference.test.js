@@ -24,7 +24,8 @@ function* functionsOf(node, path = '') {
   for (const child of node.children ?? []) {
     const name = path === '' ? child.name : `${path}.${child.name}`;
     for (const signature of child.signatures ?? []) {
-      if (signature.kindString !== 'Constructor signature') yield [name, signature];
+      // What is Error's is not ours to explain.
+      if (child.inheritedFrom === undefined) yield [name, signature];
     }
     yield* functionsOf(child, name);
   }
