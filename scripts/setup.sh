@@ -7,7 +7,7 @@
 set -eu
 cd "$(dirname "$0")/.."
 
-wasm='cmake ninja-build emscripten libeigen3-dev libfast-float-dev libfmt-dev'
+wasm='cmake ninja-build emscripten libeigen3-dev libfast-float-dev'
 native='cmake ninja-build g++ libeigen3-dev libfast-float-dev libfmt-dev libcli11-dev
   nlohmann-json3-dev'
 tests='clang libclang-rt-14-dev clang-format clang-tidy libgtest-dev libbenchmark-dev doxygen

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Turns a mesh into a grid: prepares the surface, constructs cells and hits, and links half-edges.
-#include <fmt/format.h>
 
 #include <new>
 
@@ -14,6 +13,7 @@
 #include "link/link.h"
 #include "mesh/progress.h"
 #include "prepare/surface.h"
+#include "text/compose.h"
 
 namespace kdm {
 namespace {
@@ -28,9 +28,9 @@ void check_thickness(double thickness, double step) {
   constexpr double kLeast = 4;  // lattice units
   if (thickness == 0 || thickness >= kLeast * step) return;
   throw Error(ErrorCode::kInvalidOption,
-              fmt::format("thicken is {}; for a model of this size it must be {} at least, a "
-                          "millionth of its extent",
-                          thickness, kLeast * step));
+              compose("thicken is {}; for a model of this size it must be {} at least, a "
+                      "millionth of its extent",
+                      thickness, kLeast * step));
 }
 
 // Returns the depth that no cell goes beyond.

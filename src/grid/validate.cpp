@@ -2,19 +2,18 @@
 // Checks the invariants of a grid, rule by rule.
 #include "grid/validate.h"
 
-#include <fmt/format.h>
-
 #include "grid/faces.h"
 #include "grid/splitting_edges.h"
 #include "kdmanifold/error.h"
 #include "mesh/marks.h"
+#include "text/compose.h"
 
 namespace kdm {
 namespace {
 
 void require(bool condition, const char* rule, std::size_t where) {
   if (!condition) {
-    throw Error(ErrorCode::kInternal, fmt::format("grid: {} (at {})", rule, where));
+    throw Error(ErrorCode::kInternal, compose("grid: {} (at {})", rule, where));
   }
 }
 

@@ -3,14 +3,10 @@
 // by shifts, so the order in which the machine keeps bytes does not matter.
 #pragma once
 
-#include <fmt/format.h>
-
 #include <cstdint>
 #include <cstring>
 #include <string>
 #include <string_view>
-
-#include "kdmanifold/error.h"
 
 namespace kdm {
 
@@ -33,10 +29,7 @@ class ByteReader {
   /// Throws `kParseError` unless `count` items of `size` bytes are left. `what` names an item.
   /// Counts may be as large as they like: no product overflows.
   void require(std::uint64_t count, std::size_t size, std::string_view what) const {
-    if (size != 0 && count > bytes_left() / size) {
-      fail(fmt::format("{} x {} of {} bytes should follow, but the file ends at byte {}", count,
-                       what, size, bytes_.size()));
-    }
+    if (size != 0 && count > bytes_left() / size) fail_short(count, size, what);
   }
   void skip(std::size_t count) { at_ += count; }
 
@@ -62,21 +55,7 @@ class ByteReader {
   /// Takes an integer that is written in groups of seven bits, the lowest first; all bytes but the
   /// last have their top bit set. Throws `kParseError` if the bytes end, if the number is above
   /// `most`, or if it is not written as short as possible. `what` names it.
-  std::uint64_t take_varint(std::uint64_t most, std::string_view what) {
-    std::uint64_t value = 0;
-    for (int shift = 0; shift < 64; shift += 7) {
-      require(1, 1, what);
-      const auto byte = take_unsigned<std::uint8_t>();
-      value |= std::uint64_t{byte & 0x7fu} << shift;
-      if (byte < 0x80) {
-        // The tenth byte has room for one bit, and no number needs a last byte of 0.
-        const bool shortest = byte != 0 || shift == 0;
-        if (value <= most && shortest && (shift < 63 || byte <= 1)) return value;
-        break;
-      }
-    }
-    fail(fmt::format("{} should be a number up to {}", what, most));
-  }
+  std::uint64_t take_varint(std::uint64_t most, std::string_view what);
   /// Takes an integer or a floating-point number, which has the size of `Unsigned`.
   template <typename To, typename Unsigned>
   To take() {
@@ -90,11 +69,11 @@ class ByteReader {
   /// Throw `kParseError` with the name of the file, a byte's place (that of the next one, or
   /// `offset`) and the message.
   [[noreturn]] void fail(std::string_view message) const { fail_at(at_, message); }
-  [[noreturn]] void fail_at(std::size_t offset, std::string_view message) const {
-    throw Error(ErrorCode::kParseError, fmt::format("{}: byte {}: {}", name_, offset, message));
-  }
+  [[noreturn]] void fail_at(std::size_t offset, std::string_view message) const;
 
  private:
+  [[noreturn]] void fail_short(std::uint64_t count, std::size_t size, std::string_view what) const;
+
   std::string_view bytes_;
   std::string_view name_;
   ByteOrder order_;

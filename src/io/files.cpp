@@ -2,8 +2,6 @@
 // Reads and writes whole files. Nothing here is used in the WebAssembly build, which has no files.
 #include "io/files.h"
 
-#include <fmt/format.h>
-
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -12,6 +10,7 @@
 #include <system_error>
 
 #include "kdmanifold/error.h"
+#include "text/compose.h"
 
 namespace kdm {
 namespace {
@@ -22,7 +21,7 @@ struct CloseFile {
 using File = std::unique_ptr<std::FILE, CloseFile>;
 
 [[noreturn]] void fail(const std::string& path, const char* what, int error) {
-  throw Error(ErrorCode::kIoError, fmt::format("{}: {}: {}", path, what, std::strerror(error)));
+  throw Error(ErrorCode::kIoError, compose("{}: {}: {}", path, what, std::strerror(error)));
 }
 
 // A file that is removed again unless it is kept.
@@ -32,7 +31,7 @@ class TemporaryFile {
   // folder.
   explicit TemporaryFile(const std::string& target) : target_(target) {
     for (int attempt = 0; !file_ && attempt < 1000; ++attempt) {
-      path_ = fmt::format("{}.{}.part", target, attempt);
+      path_ = compose("{}.{}.part", target, attempt);
       file_.reset(std::fopen(path_.c_str(), "wbx"));  // x: fails where it exists
       if (!file_ && errno != EEXIST) break;
     }

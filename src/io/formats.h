@@ -13,7 +13,7 @@
 // - No reader welds vertices or drops faces with an area: a mesh is what its file says.
 //
 // How a mesh becomes a file: format_mesh (mesh_io.cpp) checks that the mesh can be written, and
-// the writer below makes the file's bytes (bytes.h; text_position.h for coordinates in text).
+// the writer below makes the file's bytes (bytes.h; text_line.h for lines of numbers).
 // write_mesh (mesh_files.cpp) puts them into a file.
 #pragma once
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Reads meshes from files and writes them. Apart from mesh_io.cpp, since the WebAssembly build has
 // no files.
-#include <fmt/format.h>
 
 #include <new>
 
 #include "io/files.h"
 #include "kdmanifold/error.h"
 #include "kdmanifold/mesh_io.h"
+#include "text/compose.h"
 
 namespace kdm {
 
@@ -16,7 +16,7 @@ Mesh read_mesh(const std::string& path) {
   try {
     return parse_mesh(read_file(path), format, path);
   } catch (const std::bad_alloc&) {
-    throw Error(ErrorCode::kOutOfMemory, fmt::format("{}: not enough memory to read it", path));
+    throw Error(ErrorCode::kOutOfMemory, compose("{}: not enough memory to read it", path));
   }
 }
 

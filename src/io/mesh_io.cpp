@@ -3,8 +3,6 @@
 // reading and writing go.
 #include "kdmanifold/mesh_io.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <new>
 
@@ -12,6 +10,7 @@
 #include "io/text_scanner.h"
 #include "kdmanifold/error.h"
 #include "mesh/check_indices.h"
+#include "text/compose.h"
 
 namespace kdm {
 namespace {
@@ -28,23 +27,23 @@ void check_writable(const Mesh& mesh) {
       const double value = mesh.positions[i][axis];
       if (std::isfinite(static_cast<float>(value))) continue;
       throw Error(ErrorCode::kInvalidMesh,
-                  fmt::format("positions[{}].{} is {}, which is no finite 32-bit number; scale the "
-                              "mesh down",
-                              i, "xyz"[axis], value));
+                  compose("positions[{}].{} is {}, which is no finite 32-bit number; scale the "
+                          "mesh down",
+                          i, "xyz"[axis], value));
     }
   }
   check_indices(mesh);
   const std::size_t corners = 3 * mesh.triangles.size() + 4 * mesh.quads.size();
   if (!mesh.corner_normals.empty() && mesh.corner_normals.size() != corners) {
     throw Error(ErrorCode::kInvalidMesh,
-                fmt::format("corner_normals: there are {}, but the faces have {} corners",
-                            mesh.corner_normals.size(), corners));
+                compose("corner_normals: there are {}, but the faces have {} corners",
+                        mesh.corner_normals.size(), corners));
   }
   for (std::size_t i = 0; i < mesh.corner_normals.size(); ++i) {
     for (const float value : mesh.corner_normals[i]) {
       if (std::isfinite(value)) continue;
       throw Error(ErrorCode::kInvalidMesh,
-                  fmt::format("corner_normals[{}] has {}; it must be finite", i, value));
+                  compose("corner_normals[{}] has {}; it must be finite", i, value));
     }
   }
 }
@@ -65,14 +64,14 @@ MeshFormat format_from_path(std::string_view path) {
   if (extension == "ply") return MeshFormat::kPly;
   if (extension == "off") return MeshFormat::kOff;
   throw Error(ErrorCode::kIoError,
-              fmt::format("{}: the file's name ends in none of .obj, .stl, .ply and .off", path));
+              compose("{}: the file's name ends in none of .obj, .stl, .ply and .off", path));
 }
 
 Mesh parse_mesh(std::string_view bytes, MeshFormat format, std::string_view name) {
   if (std::uint64_t{bytes.size()} > kLargestFile) {
-    throw Error(ErrorCode::kParseError, fmt::format("{}: byte {}: files of 4 GiB and more are not "
-                                                    "supported",
-                                                    name, kLargestFile));
+    throw Error(ErrorCode::kParseError, compose("{}: byte {}: files of 4 GiB and more are not "
+                                                "supported",
+                                                name, kLargestFile));
   }
   try {
     switch (format) {
@@ -86,7 +85,7 @@ Mesh parse_mesh(std::string_view bytes, MeshFormat format, std::string_view name
         return parse_off(bytes, name);
     }
   } catch (const std::bad_alloc&) {
-    throw Error(ErrorCode::kOutOfMemory, fmt::format("{}: not enough memory to read it", name));
+    throw Error(ErrorCode::kOutOfMemory, compose("{}: not enough memory to read it", name));
   }
   throw Error(ErrorCode::kInvalidOption, "format is not a MeshFormat");
 }

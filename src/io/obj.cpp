@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Wavefront OBJ. Reads `v` and `f` statements and passes over everything else; writes `vn` as well.
-#include <fmt/compile.h>
-#include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <vector>
 
 #include "io/formats.h"
 #include "io/mesh_builder.h"
-#include "io/text_position.h"
+#include "io/text_line.h"
 #include "io/text_scanner.h"
 #include "kdmanifold/error.h"
+#include "text/compose.h"
 
 namespace kdm {
 namespace {
@@ -55,8 +53,8 @@ class ObjReader {
     const std::size_t line = scanner_.line();
     while (!scanner_.at_line_end()) corners_.push_back(read_corner());
     if (corners_.size() < 3) {
-      scanner_.fail_at(line, fmt::format("a face needs three corners or more, this one has {}",
-                                         corners_.size()));
+      scanner_.fail_at(
+          line, compose("a face needs three corners or more, this one has {}", corners_.size()));
     }
     builder_.add_face(corners_);
   }
@@ -84,8 +82,8 @@ class ObjReader {
 
   [[noreturn]] void fail_range(std::size_t line, std::int64_t number) const {
     scanner_.fail_at(line,
-                     fmt::format("vertex index {} is out of range, there are {} vertices{}", number,
-                                 builder_.vertex_count(), number < 0 ? " before it" : ""));
+                     compose("vertex index {} is out of range, there are {} vertices{}", number,
+                             builder_.vertex_count(), number < 0 ? " before it" : ""));
   }
 
   TextScanner scanner_;
@@ -131,29 +129,30 @@ std::string format_obj(const Mesh& mesh, Digits digits) {
   std::string text;
   text.reserve(mesh.positions.size() * 36 + mesh.triangles.size() * 24 + mesh.quads.size() * 32 +
                mesh.corner_normals.size() * 16);
-  auto out = std::back_inserter(text);
   for (const Vec3& p : mesh.positions) {
-    text += "v ";
-    append_position(p, digits, text);
+    TextLine line("v");
+    line.add(p, digits);
+    line.append_to(text);
   }
   const Normals normals(mesh.corner_normals);
   for (const std::array<float, 3>& n : normals.distinct()) {
-    fmt::format_to(out, FMT_COMPILE("vn {} {} {}\n"), n[0], n[1], n[2]);
+    TextLine line("vn");
+    for (const float coordinate : n) line.add(coordinate);
+    line.append_to(text);
   }
   std::size_t corner = 0;
   const auto write_face = [&](const auto& face) {
-    text += 'f';
+    TextLine line("f");
     for (const Index vertex : face) {
       // In 64 bits, for the last vertex's number is one more than its index.
       const std::uint64_t number = std::uint64_t{vertex} + 1;
       if (mesh.corner_normals.empty()) {
-        fmt::format_to(out, FMT_COMPILE(" {}"), number);
+        line.add(number);
       } else {
-        fmt::format_to(out, FMT_COMPILE(" {}//{}"), number,
-                       normals.number(mesh.corner_normals[corner++]));
+        line.add(number, "//", normals.number(mesh.corner_normals[corner++]));
       }
     }
-    text += '\n';
+    line.append_to(text);
   };
   for (const Triangle& t : mesh.triangles) write_face(t);
   for (const Quad& q : mesh.quads) write_face(q);

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: MIT
 // OFF (Geomview's object file format), in text only. Passes over colours, normals and texture
 // coordinates of the COFF, NOFF and STOFF variants.
-#include <fmt/compile.h>
-#include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 
 #include "io/formats.h"
 #include "io/mesh_builder.h"
-#include "io/text_position.h"
+#include "io/text_line.h"
 #include "io/text_scanner.h"
 #include "kdmanifold/error.h"
+#include "text/compose.h"
 
 namespace kdm {
 namespace {
@@ -64,13 +62,13 @@ class OffReader {
   std::uint64_t read_count(const char* what) {
     scanner_.find_word();
     const std::int64_t count = scanner_.integer(what);
-    if (count < 0) scanner_.fail(fmt::format("{} is {}, below 0", what, count));
+    if (count < 0) scanner_.fail(compose("{} is {}, below 0", what, count));
     return static_cast<std::uint64_t>(count);
   }
 
   void read_vertex(std::uint64_t number, std::uint64_t count) {
     if (!scanner_.find_word()) {
-      scanner_.fail_expected(fmt::format("vertex {} of {}", number + 1, count));
+      scanner_.fail_expected(compose("vertex {} of {}", number + 1, count));
     }
     const double x = scanner_.number("coordinate x");
     const double y = scanner_.number("coordinate y");
@@ -81,16 +79,16 @@ class OffReader {
 
   void read_face(std::uint64_t number, std::uint64_t count) {
     if (!scanner_.find_word()) {
-      scanner_.fail_expected(fmt::format("face {} of {}", number + 1, count));
+      scanner_.fail_expected(compose("face {} of {}", number + 1, count));
     }
     const std::int64_t corners = scanner_.integer("the number of corners");
-    if (corners < 0) scanner_.fail(fmt::format("a face with {} corners", corners));
+    if (corners < 0) scanner_.fail(compose("a face with {} corners", corners));
     corners_.clear();
     for (std::int64_t i = 0; i < corners; ++i) {
       const std::int64_t index = scanner_.integer("a vertex index");
       if (index < 0 || index >= std::int64_t{builder_.vertex_count()}) {
-        scanner_.fail(fmt::format("vertex index {} is out of range, there are {} vertices (from 0)",
-                                  index, builder_.vertex_count()));
+        scanner_.fail(compose("vertex index {} is out of range, there are {} vertices (from 0)",
+                              index, builder_.vertex_count()));
       }
       corners_.push_back(static_cast<Index>(index));
     }
@@ -112,16 +110,20 @@ Mesh parse_off(std::string_view text, std::string_view name) {
 std::string format_off(const Mesh& mesh, Digits digits) {
   std::string text;
   text.reserve(mesh.positions.size() * 34 + mesh.triangles.size() * 24 + mesh.quads.size() * 32);
-  auto out = std::back_inserter(text);
-  fmt::format_to(out, "OFF\n{} {} 0\n", mesh.positions.size(),
-                 mesh.triangles.size() + mesh.quads.size());
-  for (const Vec3& p : mesh.positions) append_position(p, digits, text);
-  for (const Triangle& t : mesh.triangles) {
-    fmt::format_to(out, FMT_COMPILE("3 {} {} {}\n"), t[0], t[1], t[2]);
+  text +=
+      compose("OFF\n{} {} 0\n", mesh.positions.size(), mesh.triangles.size() + mesh.quads.size());
+  for (const Vec3& p : mesh.positions) {
+    TextLine line;
+    line.add(p, digits);
+    line.append_to(text);
   }
-  for (const Quad& q : mesh.quads) {
-    fmt::format_to(out, FMT_COMPILE("4 {} {} {} {}\n"), q[0], q[1], q[2], q[3]);
-  }
+  const auto write_face = [&](std::string_view corners, const auto& face) {
+    TextLine line(corners);
+    for (const Index vertex : face) line.add(vertex);
+    line.append_to(text);
+  };
+  for (const Triangle& t : mesh.triangles) write_face("3", t);
+  for (const Quad& q : mesh.quads) write_face("4", q);
   return text;
 }
 

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 // PLY (Stanford polygon format). Reads ASCII and binary files of either byte order, with polygons
 // or triangle strips, and passes over other elements and properties. Writes binary files.
-#include <fmt/format.h>
 
 #include <cmath>
-#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -13,6 +11,7 @@
 #include "io/mesh_builder.h"
 #include "io/ply_header.h"
 #include "io/text_scanner.h"
+#include "text/compose.h"
 
 namespace kdm {
 namespace {
@@ -42,7 +41,7 @@ class TextValues {
   }
   // Throws if so many values cannot follow: each takes a byte at least.
   void require(std::uint64_t count, PlyType, const char* what) {
-    if (count > scanner_.bytes_left()) scanner_.fail_expected(fmt::format("{} {}", count, what));
+    if (count > scanner_.bytes_left()) scanner_.fail_expected(compose("{} {}", count, what));
   }
   bool skip_records(const PlyElement&) { return false; }
   [[noreturn]] void fail(std::string_view message) const { scanner_.fail(message); }
@@ -65,13 +64,13 @@ class BinaryValues {
   double number(PlyType type, const char* what) {
     start(type, what);
     const double value = take(type);
-    if (!std::isfinite(value)) fail(fmt::format("{} is not a finite number", what));
+    if (!std::isfinite(value)) fail(compose("{} is not a finite number", what));
     return value;
   }
   std::int64_t integer(PlyType type, const char* what) {
     const double value = number(type, what);
     const auto whole = static_cast<std::int64_t>(std::abs(value) < 1e15 ? value : 0);
-    if (static_cast<double>(whole) != value) fail(fmt::format("{} is not a whole number", what));
+    if (static_cast<double>(whole) != value) fail(compose("{} is not a whole number", what));
     return whole;
   }
   void skip(PlyType type) {
@@ -96,7 +95,7 @@ class BinaryValues {
   void start(PlyType type, const char* what) {
     value_at_ = reader_.offset();
     if (reader_.bytes_left() < ply_type_bytes(type)) {
-      reader_.fail(fmt::format("the file ends where {} is expected", what));
+      reader_.fail(compose("the file ends where {} is expected", what));
     }
   }
   double take(PlyType type) {
@@ -156,7 +155,7 @@ class PlyReader {
       const std::size_t i = element.find(kAxisNames[axis]);
       if (i == count || element.properties[i].is_list) {
         names_.fail_at(element.line,
-                       fmt::format("element vertex has no number called '{}'", kAxisNames[axis]));
+                       compose("element vertex has no number called '{}'", kAxisNames[axis]));
       }
       axis_of[i] = axis;
     }
@@ -213,8 +212,8 @@ class PlyReader {
         continue;
       }
       if (index < 0 || static_cast<std::uint64_t>(index) >= vertices_) {
-        values_.fail(fmt::format("vertex index {} is out of range, there are {} vertices (from 0)",
-                                 index, vertices_));
+        values_.fail(compose("vertex index {} is out of range, there are {} vertices (from 0)",
+                             index, vertices_));
       }
       corners_.push_back(static_cast<Index>(index));
     }
@@ -238,7 +237,7 @@ class PlyReader {
 
   std::int64_t read_length(const PlyProperty& list) {
     const std::int64_t count = values_.integer(list.count_type, "the length of a list");
-    if (count < 0) values_.fail(fmt::format("a list of length {}", count));
+    if (count < 0) values_.fail(compose("a list of length {}", count));
     values_.require(static_cast<std::uint64_t>(count), list.type, "list items");
     return count;
   }
@@ -277,11 +276,11 @@ std::string format_ply(const Mesh& mesh) {
   std::string out;
   out.reserve(256 + mesh.positions.size() * 12 + mesh.triangles.size() * 13 +
               mesh.quads.size() * 17);
-  fmt::format_to(std::back_inserter(out),
-                 "ply\nformat binary_little_endian 1.0\ncomment kdmanifold\n"
-                 "element vertex {}\nproperty float x\nproperty float y\nproperty float z\n"
-                 "element face {}\nproperty list uchar int vertex_indices\nend_header\n",
-                 mesh.positions.size(), mesh.triangles.size() + mesh.quads.size());
+  out += compose(
+      "ply\nformat binary_little_endian 1.0\ncomment kdmanifold\n"
+      "element vertex {}\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face {}\nproperty list uchar int vertex_indices\nend_header\n",
+      mesh.positions.size(), mesh.triangles.size() + mesh.quads.size());
   for (const Vec3& p : mesh.positions) {
     for (int axis = 0; axis < 3; ++axis) append_f32(out, static_cast<float>(p[axis]));
   }

@@ -2,9 +2,8 @@
 // Reads the header of a PLY file.
 #include "io/ply_header.h"
 
-#include <fmt/format.h>
-
 #include "io/text_scanner.h"
+#include "text/compose.h"
 
 namespace kdm {
 namespace {
@@ -67,7 +66,7 @@ PlyElement read_element(TextScanner& scanner) {
   element.line = scanner.line();
   element.name = read_name(scanner, "the element's name");
   const std::int64_t count = scanner.integer("the number of elements");
-  if (count < 0) scanner.fail(fmt::format("the number of elements is {}, below 0", count));
+  if (count < 0) scanner.fail(compose("the number of elements is {}, below 0", count));
   element.count = static_cast<std::uint64_t>(count);
   return element;
 }

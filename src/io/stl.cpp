@@ -9,6 +9,7 @@
 #include "io/formats.h"
 #include "io/mesh_builder.h"
 #include "io/text_scanner.h"
+#include "text/compose.h"
 
 namespace kdm {
 namespace {
@@ -55,8 +56,8 @@ Mesh parse_binary(std::string_view bytes, std::string_view name) {
         const float value = reader.take<float, std::uint32_t>();
         if (!std::isfinite(value)) {
           reader.fail_at(reader.offset() - 4,
-                         fmt::format("coordinate {} of facet {} is not a finite number",
-                                     kAxisNames[static_cast<std::size_t>(axis)], facet));
+                         compose("coordinate {} of facet {} is not a finite number",
+                                 kAxisNames[static_cast<std::size_t>(axis)], facet));
         }
         position[axis] = double{value};
       }
@@ -109,7 +110,7 @@ class AsciiStlReader {
       builder_.add_vertex({x, y, z});
     }
     if (corners_.size() < 3) {
-      scanner_.fail(fmt::format("a facet needs three vertices, this one has {}", corners_.size()));
+      scanner_.fail(compose("a facet needs three vertices, this one has {}", corners_.size()));
     }
     builder_.add_face(corners_);
     expect("endfacet");
@@ -117,7 +118,7 @@ class AsciiStlReader {
 
   void expect(const char* keyword) {
     scanner_.find_word();
-    if (!next_is(keyword)) scanner_.fail_expected(fmt::format("'{}'", keyword));
+    if (!next_is(keyword)) scanner_.fail_expected(compose("'{}'", keyword));
   }
 
   bool next_is(std::string_view keyword) {

@@ -3,11 +3,11 @@
 #include "io/text_scanner.h"
 
 #include <fast_float/fast_float.h>
-#include <fmt/format.h>
 
 #include <cmath>
 
 #include "kdmanifold/error.h"
+#include "text/compose.h"
 
 namespace kdm {
 namespace {
@@ -36,8 +36,8 @@ double TextScanner::number(const char* what) {
     fail_expected(what);
   }
   if (!std::isfinite(value)) {
-    fail(fmt::format("{} is {}, which is not a finite number", what,
-                     quoted({word, static_cast<std::size_t>(at_ - word)})));
+    fail(compose("{} is {}, which is not a finite number", what,
+                 quoted({word, static_cast<std::size_t>(at_ - word)})));
   }
   return value;
 }
@@ -70,14 +70,14 @@ std::int64_t TextScanner::integer(const char* what) {
 }
 
 void TextScanner::fail_at(std::size_t line, std::string_view message) const {
-  throw Error(ErrorCode::kParseError, fmt::format("{}: line {}: {}", name_, line, message));
+  throw Error(ErrorCode::kParseError, compose("{}: line {}: {}", name_, line, message));
 }
 
 void TextScanner::fail_expected(std::string_view what) const {
-  if (at_end()) fail(fmt::format("the file ends where {} is expected", what));
-  if (is_newline(*at_)) fail(fmt::format("the line ends where {} is expected", what));
+  if (at_end()) fail(compose("the file ends where {} is expected", what));
+  if (is_newline(*at_)) fail(compose("the line ends where {} is expected", what));
   TextScanner rest = *this;
-  fail(fmt::format("{} is expected, not {}", what, quoted(rest.word())));
+  fail(compose("{} is expected, not {}", what, quoted(rest.word())));
 }
 
 std::string quoted(std::string_view bytes) {

@@ -2,9 +2,8 @@
 // Checks that all faces name vertices that exist.
 #include "mesh/check_indices.h"
 
-#include <fmt/format.h>
-
 #include "kdmanifold/error.h"
+#include "text/compose.h"
 
 namespace kdm {
 namespace {
@@ -14,9 +13,9 @@ void check_faces(const std::vector<Face>& faces, const char* array, std::size_t 
   for (std::size_t i = 0; i < faces.size(); ++i) {
     for (Index vertex : faces[i]) {
       if (vertex < vertices) continue;
-      throw Error(ErrorCode::kInvalidMesh,
-                  fmt::format("{}[{}] names vertex {}, but there are {} vertices", array, i, vertex,
-                              vertices));
+      throw Error(
+          ErrorCode::kInvalidMesh,
+          compose("{}[{}] names vertex {}, but there are {} vertices", array, i, vertex, vertices));
     }
   }
 }

@@ -2,11 +2,10 @@
 // Checks that coordinates can be computed with.
 #include "mesh/check_positions.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 
 #include "kdmanifold/error.h"
+#include "text/compose.h"
 
 namespace kdm {
 namespace {
@@ -22,9 +21,9 @@ void check_positions(const Mesh& mesh) {
     for (int axis = 0; axis < 3; ++axis) {
       if (!(std::abs(p[axis]) <= kLargestCoordinate)) {
         throw Error(ErrorCode::kInvalidMesh,
-                    fmt::format("positions: vertex {} has {} coordinate {}, which is not a finite "
-                                "number of at most 1e150",
-                                i, "xyz"[axis], p[axis]));
+                    compose("positions: vertex {} has {} coordinate {}, which is not a finite "
+                            "number of at most 1e150",
+                            i, "xyz"[axis], p[axis]));
       }
     }
   }

@@ -2,8 +2,6 @@
 // Gathers the sides of faces edge by edge, and joins corners at a vertex across the edges there.
 #include "mesh/faults.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <numeric>
 
@@ -13,6 +11,7 @@
 #include "mesh/edge_sides.h"
 #include "mesh/marks.h"
 #include "mesh/polygons.h"
+#include "text/compose.h"
 
 namespace kdm {
 namespace {
@@ -212,7 +211,7 @@ class Inspector {
 MeshFaults find_faults(const Mesh& mesh) {
   const std::size_t faces = mesh.triangles.size() + mesh.quads.size();
   if (faces >= (std::size_t{1} << 29)) {
-    throw Error(ErrorCode::kInvalidMesh, fmt::format("{} faces; 2^29 is the limit", faces));
+    throw Error(ErrorCode::kInvalidMesh, compose("{} faces; 2^29 is the limit", faces));
   }
   check_indices(mesh);
   return Inspector(mesh).run();

@@ -1,23 +1,22 @@
 // SPDX-License-Identifier: MIT
 // Checks options against the table in kdmanifold/options.h.
-#include <fmt/format.h>
 
 #include "kdmanifold/error.h"
 #include "kdmanifold/options.h"
+#include "text/compose.h"
 
 namespace kdm {
 namespace {
 
 [[noreturn]] void refuse(const char* name, double value, const std::string& legal) {
-  throw Error(ErrorCode::kInvalidOption,
-              fmt::format("{} is {}; it must be {}", name, value, legal));
+  throw Error(ErrorCode::kInvalidOption, compose("{} is {}; it must be {}", name, value, legal));
 }
 
 void check_number(const OptionField& field, double value, const char* kind) {
   const bool may_be_unset = field.unset[0] != '\0';
   if (contains(field.range, value) || (may_be_unset && value == 0)) return;
-  std::string legal = fmt::format("a {} {}", kind, range_text(field.range));
-  if (may_be_unset) legal += fmt::format(", or 0, which stands for {}", field.unset);
+  std::string legal = compose("a {} {}", kind, range_text(field.range));
+  if (may_be_unset) legal += compose(", or 0, which stands for {}", field.unset);
   refuse(field.name, value, legal);
 }
 

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Names and ranges of fields as users read them.
 #include "kdmanifold/field.h"
-
-#include <fmt/format.h>
+#include "text/compose.h"
 
 namespace kdm {
 
 std::string range_text(const Range& range) {
-  if (!has_end(range)) return fmt::format("from {} on", range.least);
-  return fmt::format("from {} to {}{}", range.least, range.most_excluded ? "below " : "",
-                     range.most);
+  if (!has_end(range)) return compose("from {} on", range.least);
+  return compose("from {} to {}{}", range.least, range.most_excluded ? "below " : "", range.most);
 }
 
 std::string camel_case(std::string_view name) {

@@ -2,8 +2,6 @@
 // Checks and welds the input's faces, and repairs them as far as the inside rule needs.
 #include "prepare/input_faces.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "kdmanifold/error.h"
@@ -15,14 +13,15 @@
 #include "prepare/orient.h"
 #include "prepare/sew.h"
 #include "prepare/weld.h"
+#include "text/compose.h"
 
 namespace kdm {
 namespace {
 
 [[noreturn]] void throw_bad_index(std::size_t face, Index vertex, std::size_t vertices) {
   throw Error(ErrorCode::kInvalidMesh,
-              fmt::format("indices: face {} names vertex {}, but there are {} vertices", face,
-                          vertex, vertices));
+              compose("indices: face {} names vertex {}, but there are {} vertices", face, vertex,
+                      vertices));
 }
 
 // Collects the mesh's triangles and the halves of its quads. Corners are vertices of the mesh.
@@ -30,11 +29,11 @@ void collect_faces(const Mesh& mesh, InputFaces& result) {
   const std::size_t faces = mesh.triangles.size() + mesh.quads.size();
   if (faces == 0) throw Error(ErrorCode::kInvalidMesh, "the mesh has no faces");
   if (!mesh.source_faces.empty() && mesh.source_faces.size() != faces) {
-    throw Error(ErrorCode::kInvalidMesh, fmt::format("source_faces has {} entries for {} faces",
-                                                     mesh.source_faces.size(), faces));
+    throw Error(ErrorCode::kInvalidMesh, compose("source_faces has {} entries for {} faces",
+                                                 mesh.source_faces.size(), faces));
   }
   if (faces >= (std::size_t{1} << 29)) {
-    throw Error(ErrorCode::kInvalidMesh, fmt::format("{} faces; 2^29 is the limit", faces));
+    throw Error(ErrorCode::kInvalidMesh, compose("{} faces; 2^29 is the limit", faces));
   }
   result.triangles.reserve(mesh.triangles.size() + 2 * mesh.quads.size());
   result.source_faces.reserve(result.triangles.capacity());
@@ -83,11 +82,11 @@ Box bounds_of(const std::vector<Triangle>& triangles, const std::vector<Vec3>& p
   const Vec3& a = faces.points[t[side % 3]];
   const Vec3& b = faces.points[t[next_corner(static_cast<int>(side % 3))]];
   throw Error(ErrorCode::kNotClosed,
-              fmt::format("the surface is not closed and consistently oriented: {} of its edges "
-                          "are not used equally often in both directions (boundary edges: {}); "
-                          "the first is ({}, {}, {}) - ({}, {}, {}) of face {}",
-                          topology.unbalanced_edges, topology.boundary_edges, a[0], a[1], a[2],
-                          b[0], b[1], b[2], faces.source_faces[side / 3]));
+              compose("the surface is not closed and consistently oriented: {} of its edges "
+                      "are not used equally often in both directions (boundary edges: {}); "
+                      "the first is ({}, {}, {}) - ({}, {}, {}) of face {}",
+                      topology.unbalanced_edges, topology.boundary_edges, a[0], a[1], a[2], b[0],
+                      b[1], b[2], faces.source_faces[side / 3]));
 }
 
 // Keeps the triangles for whose number `keep` is true, in their order. Returns how many were
@@ -163,10 +162,10 @@ void check_holes(const std::vector<BoundaryLoop>& holes, const InputFaces& faces
   }
   if (too_wide == 0) return;
   throw Error(ErrorCode::kNotClosed,
-              fmt::format("{} of {} holes are wider than largest_hole, which is {}; the widest, {} "
-                          "across, passes through ({}, {}, {}): allow wider ones, thicken the "
-                          "surface, or take it as a sheet",
-                          too_wide, holes.size(), largest, widest, place[0], place[1], place[2]));
+              compose("{} of {} holes are wider than largest_hole, which is {}; the widest, {} "
+                      "across, passes through ({}, {}, {}): allow wider ones, thicken the "
+                      "surface, or take it as a sheet",
+                      too_wide, holes.size(), largest, widest, place[0], place[1], place[2]));
 }
 
 void find_topology(InputFaces& faces) {

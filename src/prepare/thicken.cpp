@@ -9,8 +9,6 @@
 // points whose winding number is positive.
 #include "kdmanifold/thicken.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <new>
 
@@ -27,6 +25,7 @@
 #include "prepare/neighbours.h"
 #include "prepare/non_manifold_edges.h"
 #include "prepare/weld.h"
+#include "text/compose.h"
 
 namespace kdm {
 namespace {
@@ -276,14 +275,14 @@ class Thickener {
 Mesh thicken(const Mesh& mesh, double thickness) try {
   if (!(thickness > 0 && std::isfinite(thickness))) {
     throw Error(ErrorCode::kInvalidOption,
-                fmt::format("thickness is {}; it must be a finite number above 0", thickness));
+                compose("thickness is {}; it must be a finite number above 0", thickness));
   }
   check_positions(mesh);
   check_indices(mesh);
   const std::size_t faces = mesh.triangles.size() + mesh.quads.size();
   if (!mesh.source_faces.empty() && mesh.source_faces.size() != faces) {
-    throw Error(ErrorCode::kInvalidMesh, fmt::format("source_faces has {} entries for {} faces",
-                                                     mesh.source_faces.size(), faces));
+    throw Error(ErrorCode::kInvalidMesh, compose("source_faces has {} entries for {} faces",
+                                                 mesh.source_faces.size(), faces));
   }
   const Weld weld = weld_positions(mesh.positions);
   std::vector<Vec3> points;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Reads grids from files and writes them. This is apart from load_grid.cpp and save_grid.cpp
 // because the WebAssembly build has no files.
-#include <fmt/format.h>
 
 #include <new>
 
 #include "io/files.h"
 #include "kdmanifold/error.h"
 #include "kdmanifold/grid_io.h"
+#include "text/compose.h"
 
 namespace kdm {
 namespace {
@@ -30,7 +30,7 @@ bool names_a_grid(std::string_view path) {
 void write_grid(const std::string& path, const Grid& grid) {
   if (!names_a_grid(path)) {
     throw Error(ErrorCode::kIoError,
-                fmt::format("{}: the file's name does not end in {}", path, kExtension));
+                compose("{}: the file's name does not end in {}", path, kExtension));
   }
   const std::vector<std::uint8_t> bytes = save_grid(grid);
   write_file(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
@@ -40,7 +40,7 @@ Grid read_grid(const std::string& path) try {
   const std::string bytes = read_file(path);
   return load_grid({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}, path);
 } catch (const std::bad_alloc&) {
-  throw Error(ErrorCode::kOutOfMemory, fmt::format("{}: not enough memory to read it", path));
+  throw Error(ErrorCode::kOutOfMemory, compose("{}: not enough memory to read it", path));
 }
 
 }  // namespace kdm

@@ -3,8 +3,6 @@
 // follows from the minimal faces; only the other links are stored.
 #pragma once
 
-#include <fmt/format.h>
-
 #include <string>
 #include <vector>
 
@@ -13,6 +11,7 @@
 #include "grid/saved/read_numbers.h"
 #include "grid/saved/sheet_links.h"
 #include "io/bytes.h"
+#include "text/compose.h"
 
 namespace kdm {
 
@@ -65,10 +64,9 @@ class LinkReader {
   template <typename Kept, typename Read>
   void read_kept(std::string_view name, std::uint64_t reals, std::vector<Kept>& kept,
                  const Read& read) const {
-    const std::string what = fmt::format("a {}'s half-edge", name);
+    const std::string what = compose("a {}'s half-edge", name);
     const std::uint64_t half_edges = grid_.opposite.size();
-    const std::uint64_t count =
-        bytes_.take_varint(half_edges, fmt::format("the number of {}s", name));
+    const std::uint64_t count = bytes_.take_varint(half_edges, compose("the number of {}s", name));
     bytes_.require(count, 1 + reals * sizeof(double), name);
     kept.reserve(static_cast<std::size_t>(count));
     std::uint64_t next = 0;

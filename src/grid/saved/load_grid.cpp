@@ -18,6 +18,7 @@
 #include "io/bytes.h"
 #include "kdmanifold/error.h"
 #include "kdmanifold/grid_io.h"
+#include "text/compose.h"
 
 namespace kdm {
 namespace {
@@ -230,17 +231,17 @@ void check_header(ByteReader& bytes, std::string_view all) {
   bytes.skip(format::kMagic.size());
   const auto version = bytes.take_unsigned<std::uint32_t>();
   if (version != format::kVersion) {
-    bytes.fail_at(format::kMagic.size(),
-                  fmt::format("the format's version is {}; this library knows {}", version,
-                              format::kVersion));
+    bytes.fail_at(
+        format::kMagic.size(),
+        compose("the format's version is {}; this library knows {}", version, format::kVersion));
   }
   const auto size = bytes.take_unsigned<std::uint64_t>();
   const auto checksum = bytes.take_unsigned<std::uint64_t>();
   if (size != bytes.bytes_left()) {
     bytes.fail(
-        fmt::format("{} bytes should follow, but there are {}: the file was cut off or "
-                    "something was added",
-                    size, bytes.bytes_left()));
+        compose("{} bytes should follow, but there are {}: the file was cut off or "
+                "something was added",
+                size, bytes.bytes_left()));
   }
   if (format::checksum(all.substr(bytes.offset())) != checksum) {
     bytes.fail("the file is damaged: its checksum is another");
@@ -258,11 +259,11 @@ Grid load_grid(std::span<const std::uint8_t> from, std::string_view name) try {
   try {
     validate(*grid);
   } catch (const Error& error) {
-    throw Error(ErrorCode::kParseError, fmt::format("{}: {}", name, error.what()));
+    throw Error(ErrorCode::kParseError, compose("{}: {}", name, error.what()));
   }
   return Grid(std::move(grid));
 } catch (const std::bad_alloc&) {
-  throw Error(ErrorCode::kOutOfMemory, fmt::format("{}: not enough memory to load it", name));
+  throw Error(ErrorCode::kOutOfMemory, compose("{}: not enough memory to load it", name));
 }
 
 }  // namespace kdm

@@ -2,13 +2,12 @@
 // Reads real numbers of a saved grid and checks each against its range.
 #pragma once
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <string_view>
 
 #include "io/bytes.h"
 #include "kdmanifold/types.h"
+#include "text/compose.h"
 
 namespace kdm {
 
@@ -19,8 +18,7 @@ inline double take_real(ByteReader& bytes, double least, double most, std::strin
   const std::size_t at = bytes.offset();
   const double value = bytes.take<double, std::uint64_t>();
   if (!(value >= least && value <= most)) {
-    bytes.fail_at(at,
-                  fmt::format("{} is {}; it should be from {} to {}", what, value, least, most));
+    bytes.fail_at(at, compose("{} is {}; it should be from {} to {}", what, value, least, most));
   }
   return value;
 }
@@ -34,7 +32,7 @@ inline Vec3 take_normal(ByteReader& bytes, bool may_be_zero, std::string_view wh
   constexpr double kRounding = 1e-6;
   const double square = normal.squaredNorm();
   if (std::abs(square - 1) > kRounding && !(may_be_zero && square == 0)) {
-    bytes.fail_at(at, fmt::format("{} is not of length 1", what));
+    bytes.fail_at(at, compose("{} is not of length 1", what));
   }
   return normal;
 }

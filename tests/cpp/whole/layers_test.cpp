@@ -22,6 +22,7 @@ const fs::path kSource = kRoot / "src";
 
 // The rooms of the library in their order. Each may include itself and what stands before it.
 const std::vector<std::string> kRooms = {"include/kdmanifold",
+                                         "text",
                                          "options",
                                          "geometry",
                                          "mesh",

@@ -2,7 +2,6 @@
 // Results that do not meet themselves.
 #include "extract/embed/embed.h"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "extract/place/place.h"
@@ -66,7 +65,7 @@ TEST(Embed, SeveralLoopsInALeaf) {
   std::size_t crowded = 0;
   for (std::uint32_t seed = 0; seed < 6; ++seed) {
     for (const int depth : {6, 9}) {
-      SCOPED_TRACE(fmt::format("seed {}, depth {}", seed, depth));
+      SCOPED_TRACE(testing::Message() << "seed " << seed << ", depth " << depth);
       const Mesh mesh = shapes::random_tetrahedra(30, seed);
       const Grid grid =
           build_grid(mesh, {.strategy = SplitStrategy::kUniform,
