@@ -11,6 +11,7 @@
 #include "mesh/box_tree.h"
 #include "mesh/boxes.h"
 #include "mesh/groups.h"
+#include "mesh/sort.h"
 
 namespace kdm {
 namespace {
@@ -56,7 +57,7 @@ std::vector<std::vector<Index>> take_samples(const Polygons& faces, std::span<co
   for (Index part = 0; part < shells.size(); ++part) {
     if (!shells[part].closed) continue;
     std::array<Index, 8>& found = furthest[part].vertices;
-    std::sort(found.begin(), found.end());
+    sort_numbers(found);
     samples[part].assign(found.begin(), std::unique(found.begin(), found.end()));
   }
   return samples;
@@ -193,7 +194,7 @@ std::optional<std::vector<Enclosure>> find_enclosures(const Polygons& faces,
       verdict = end;
     }
   }
-  std::sort(enclosures.begin(), enclosures.end(), [](const Enclosure& a, const Enclosure& b) {
+  sort_by(enclosures, [](const Enclosure& a, const Enclosure& b) {
     return a.inner != b.inner ? a.inner < b.inner : a.outer < b.outer;
   });
   return enclosures;

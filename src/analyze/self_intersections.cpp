@@ -14,6 +14,7 @@
 #include "mesh/polygons.h"
 #include "mesh/same_corners.h"
 #include "mesh/scale.h"
+#include "mesh/sort.h"
 
 namespace kdm {
 namespace {
@@ -30,7 +31,7 @@ class Search {
     for (std::size_t i = mesh.triangles.size(); i < triangles_.size(); i += 2) {
       quads_.push_back(ordered(set_of_[i], set_of_[i + 1]));
     }
-    std::sort(quads_.begin(), quads_.end());
+    sort_up(quads_);
   }
 
   SelfIntersections run() {

@@ -2,13 +2,12 @@
 // Follows the winding number up one edge.
 #include "inside/winding.h"
 
-#include <algorithm>
+#include "mesh/sort.h"
 
 namespace kdm {
 
 void sort_crossings(std::vector<Crossing>& crossings) {
-  if (crossings.size() < 2) return;
-  std::sort(crossings.begin(), crossings.end(), [](const Crossing& a, const Crossing& b) {
+  sort_by(crossings, [](const Crossing& a, const Crossing& b) {
     return a.position != b.position ? a.position < b.position : a.triangle < b.triangle;
   });
 }

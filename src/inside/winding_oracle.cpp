@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "grid/faces.h"
+#include "mesh/sort.h"
 
 namespace kdm {
 namespace {
@@ -85,7 +86,7 @@ WindingOracle::GridVertices WindingOracle::find_vertices(const GridData& grid,
       }
     }
   });
-  std::sort(points.begin(), points.end());
+  sort_numbers(points);
   points.erase(std::unique(points.begin(), points.end()), points.end());
   GridVertices result;
   for (std::vector<std::uint64_t>& line : result.lines) line.reserve(points.size());
@@ -97,7 +98,7 @@ WindingOracle::GridVertices WindingOracle::find_vertices(const GridData& grid,
                                    state);
     }
   }
-  for (std::vector<std::uint64_t>& line : result.lines) std::sort(line.begin(), line.end());
+  for (std::vector<std::uint64_t>& line : result.lines) sort_numbers(line);
   return result;
 }
 

@@ -9,6 +9,7 @@
 #include "io/text_line.h"
 #include "io/text_scanner.h"
 #include "kdmanifold/error.h"
+#include "mesh/sort.h"
 #include "text/compose.h"
 
 namespace kdm {
@@ -110,7 +111,7 @@ class Normals {
     for (std::array<float, 3>& normal : distinct_) {
       for (float& value : normal) value += 0.0f;
     }
-    std::sort(distinct_.begin(), distinct_.end());
+    sort_up(distinct_);
     distinct_.erase(std::unique(distinct_.begin(), distinct_.end()), distinct_.end());
   }
   const std::vector<std::array<float, 3>>& distinct() const { return distinct_; }

@@ -18,6 +18,7 @@
 #include "geometry/quadric.h"
 #include "geometry/triangle_box.h"
 #include "mesh/marks.h"
+#include "mesh/sort.h"
 #include "prepare/crease_vertices.h"
 
 namespace kdm {
@@ -49,8 +50,8 @@ class CornerSearch {
     for (CellId leaf = 0; leaf < grid_.cells.size(); ++leaf) {
       if (!crease_vertices_in_.of(leaf).empty()) search_leaf(leaf);
     }
-    std::sort(grid_.corners.begin(), grid_.corners.end(),
-              [](const KeptCorner& a, const KeptCorner& b) { return a.half_edge < b.half_edge; });
+    sort_by(grid_.corners,
+            [](const KeptCorner& a, const KeptCorner& b) { return a.half_edge < b.half_edge; });
     grid_.corners.shrink_to_fit();
   }
 

@@ -2,8 +2,7 @@
 // Makes and sorts the rim hits of a grid.
 #include "link/rim_hits.h"
 
-#include <algorithm>
-
+#include "mesh/sort.h"
 #include "prepare/rim.h"
 
 namespace kdm {
@@ -14,8 +13,7 @@ RimHit rim_hit(const Surface& surface, const MinimalFace& face, HalfEdgeId half_
 }
 
 void sort_rims(GridData& grid) {
-  std::sort(grid.rims.begin(), grid.rims.end(),
-            [](const RimHit& a, const RimHit& b) { return a.half_edge < b.half_edge; });
+  sort_by(grid.rims, [](const RimHit& a, const RimHit& b) { return a.half_edge < b.half_edge; });
   grid.rims.shrink_to_fit();
 }
 

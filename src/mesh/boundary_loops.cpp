@@ -2,10 +2,10 @@
 // Walks along unused edges, and cuts off a loop whenever the walk meets itself.
 #include "mesh/boundary_loops.h"
 
-#include <algorithm>
 #include <tuple>
 
 #include "mesh/marks.h"
+#include "mesh/sort.h"
 
 namespace kdm {
 namespace {
@@ -27,7 +27,7 @@ class LoopFinder {
       ends_.push_back({edges[i].fans[1], i, true});
     }
     // Edges that go on in their own direction come first.
-    std::sort(ends_.begin(), ends_.end(), [](const End& a, const End& b) {
+    sort_by(ends_, [](const End& a, const End& b) {
       return std::tie(a.fan, a.last, a.edge) < std::tie(b.fan, b.last, b.edge);
     });
     for (Index i = 0; i < ends_.size(); ++i) {

@@ -9,6 +9,7 @@
 
 #include "mesh/numbers.h"
 #include "mesh/sides.h"
+#include "mesh/sort.h"
 
 namespace kdm {
 
@@ -49,7 +50,11 @@ class EdgeSides {
     for_each([sides = sides_.data(), next = fill.data()](Index from, Index to, Index side) {
       if (from != to) sides[next[std::min(from, to)]++] = {std::max(from, to), side, from < to};
     });
-    for (PointId p = 0; p < points; ++p) sort(std::span(sides_).subspan(bucket_begin_[p], size(p)));
+    // Sides come in order of their numbers and stay so.
+    for (PointId p = 0; p < points; ++p) {
+      sort_by(std::span(sides_).subspan(bucket_begin_[p], size(p)),
+              [](const EdgeSide& a, const EdgeSide& b) { return a.upper < b.upper; });
+    }
   }
 
   /// Calls `visit(lower, sides)` for each edge with its lower point and the sides along it, which
@@ -68,25 +73,6 @@ class EdgeSides {
 
  private:
   std::size_t size(Index point) const { return bucket_begin_[point + 1] - bucket_begin_[point]; }
-
-  // Sorts a bucket by the upper points. Sides come in order of their numbers and stay so.
-  static void sort(std::span<EdgeSide> bucket) {
-    constexpr std::size_t kShort = 32;
-    if (bucket.size() > kShort) {
-      std::sort(bucket.begin(), bucket.end(), [](const EdgeSide& a, const EdgeSide& b) {
-        return a.upper != b.upper ? a.upper < b.upper : a.side < b.side;
-      });
-      return;
-    }
-    for (std::size_t i = 1; i < bucket.size(); ++i) {
-      const EdgeSide inserted = bucket[i];
-      std::size_t place = i;
-      for (; place > 0 && bucket[place - 1].upper > inserted.upper; --place) {
-        bucket[place] = bucket[place - 1];
-      }
-      bucket[place] = inserted;
-    }
-  }
 
   std::vector<Index> bucket_begin_;  // per lower point: its first place in sides_
   std::vector<EdgeSide> sides_;

@@ -11,6 +11,7 @@
 #include "mesh/edge_sides.h"
 #include "mesh/marks.h"
 #include "mesh/polygons.h"
+#include "mesh/sort.h"
 #include "text/compose.h"
 
 namespace kdm {
@@ -79,12 +80,13 @@ class Inspector {
       if (degenerate_.test(face)) continue;
       Key key = {{kNone, kNone, kNone, kNone}, face};
       std::copy(faces_[face], faces_[face] + faces_.corners(face), key.vertices.begin());
-      std::sort(key.vertices.begin(), key.vertices.end());
+      sort_numbers(key.vertices);
       keys.push_back(key);
     }
     const auto begin = bucket_sort(keys, vertices_, [](const Key& key) { return key.vertices[0]; });
     for (std::size_t v = 0; v < vertices_; ++v) {
-      std::sort(keys.data() + begin[v], keys.data() + begin[v + 1], [](const Key& a, const Key& b) {
+      const auto bucket = std::span(keys).subspan(begin[v], begin[v + 1] - begin[v]);
+      sort_by(bucket, [](const Key& a, const Key& b) {
         return a.vertices != b.vertices ? a.vertices < b.vertices : a.face < b.face;
       });
       for (std::size_t i = begin[v] + 1; i < begin[v + 1]; ++i) {
@@ -93,7 +95,7 @@ class Inspector {
         }
       }
     }
-    std::sort(faults_.duplicate_faces.begin(), faults_.duplicate_faces.end());
+    sort_numbers(faults_.duplicate_faces);
   }
 
   void find_edges() {

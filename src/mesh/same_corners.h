@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mesh/numbers.h"
+#include "mesh/sort.h"
 
 namespace kdm {
 
@@ -43,10 +44,11 @@ void for_each_corner_set(std::span<const Triangle> triangles, Index points, cons
     keys[fill[t[k]]++] = {std::min(b, c), std::max(b, c), b > c, i};
   }
   for (PointId p = 0; p < points; ++p) {
-    const auto end = keys.begin() + bucket[p + 1];
-    std::sort(keys.begin() + bucket[p], end, [](const SortedCorners& a, const SortedCorners& b) {
+    const auto group = std::span(keys).subspan(bucket[p], bucket[p + 1] - bucket[p]);
+    sort_by(group, [](const SortedCorners& a, const SortedCorners& b) {
       return std::array{a.second, a.third, a.triangle} < std::array{b.second, b.third, b.triangle};
     });
+    const auto end = keys.begin() + bucket[p + 1];
     for (auto first = keys.begin() + bucket[p]; first != end;) {
       auto last = first;
       while (last != end && last->second == first->second && last->third == first->third) ++last;

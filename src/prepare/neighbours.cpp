@@ -10,6 +10,7 @@
 #include "geometry/triangle.h"
 #include "mesh/edge_sides.h"
 #include "mesh/same_corners.h"
+#include "mesh/sort.h"
 
 namespace kdm {
 namespace {
@@ -155,12 +156,11 @@ class NeighbourWalk {
                                   triangle_of(sides[0].side), triangle_of(sides[1].side)});
       }
     });
-    std::sort(disagreements_.begin(), disagreements_.end(),
-              [](const Disagreement& a, const Disagreement& b) {
-                return a.squared_length != b.squared_length
-                           ? a.squared_length > b.squared_length
-                           : std::array{a.first, a.second} < std::array{b.first, b.second};
-              });
+    sort_by(disagreements_, [](const Disagreement& a, const Disagreement& b) {
+      return a.squared_length != b.squared_length
+                 ? a.squared_length > b.squared_length
+                 : std::array{a.first, a.second} < std::array{b.first, b.second};
+    });
     for (Disagreement& d : disagreements_) {
       d.remains = !sets_.join(d.first, d.second, true);
       result_.contradictions += d.remains ? 1 : 0;
@@ -206,7 +206,7 @@ class NeighbourWalk {
         const TurnedSets::Found found = sets_.find(triangle_of(s.side));
         uses.emplace_back(found.root, s.forward != found.against ? 1 : -1);
       }
-      std::sort(uses.begin(), uses.end());
+      sort_up(uses);
       for (auto first = uses.begin(); first != uses.end();) {
         std::ptrdiff_t balance = 0;
         auto last = first;

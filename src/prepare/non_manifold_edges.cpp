@@ -6,6 +6,7 @@
 #include <array>
 
 #include "geometry/triangle.h"
+#include "mesh/sort.h"
 
 namespace kdm {
 namespace {
@@ -60,7 +61,7 @@ void pair_edge(std::span<const Side> edge, std::span<const Triangle> triangles,
       if (!b.forward) candidates.push_back({direction.dot(direction_of(b)), a.number, b.number});
     }
   }
-  std::sort(candidates.begin(), candidates.end());
+  sort_up(candidates);
   for (const Candidate& c : candidates) {
     if (opposite[c.forward] != kNone || opposite[c.backward] != kNone) continue;
     opposite[c.forward] = c.backward;

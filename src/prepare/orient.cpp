@@ -12,6 +12,7 @@
 #include "mesh/boxes.h"
 #include "mesh/groups.h"
 #include "mesh/scale.h"
+#include "mesh/sort.h"
 #include "prepare/neighbours.h"
 #include "prepare/sight.h"
 
@@ -216,9 +217,8 @@ class Orienter {
     }
     constexpr std::size_t kMostParts = kLineBudget / kLeastLines;
     if (areas.size() <= kMostParts) return;
-    const auto last = areas.begin() + kMostParts - 1;
-    std::nth_element(areas.begin(), last, areas.end(), std::greater<double>());
-    least_open_area_ = *last;
+    sort_by(areas, std::greater<double>());
+    least_open_area_ = areas[kMostParts - 1];
   }
 
   void prepare_sight() {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "split/crossing_triangles.h"
 
-#include <algorithm>
-
 #include "geometry/triangle_box.h"
 #include "geometry/triangle_triangle.h"
 #include "mesh/box_tree.h"
+#include "mesh/sort.h"
 
 namespace kdm {
 namespace {
@@ -65,14 +64,15 @@ bool CrossingTriangles::exist_in(const CellTriangles& triangles) {
   const int axis = longest_axis(triangles.cell());
   by_lower_bound_.clear();
   for (MemberId m = 0; m < triangles.size(); ++m) {
-    by_lower_bound_.emplace_back(triangles.bounds(m).lo[axis], m);
+    by_lower_bound_.push_back(pack_pair(triangles.bounds(m).lo[axis], m));
   }
-  std::sort(by_lower_bound_.begin(), by_lower_bound_.end());
+  sort_numbers(by_lower_bound_);
   for (std::size_t i = 0; i < by_lower_bound_.size(); ++i) {
-    const MemberId first = by_lower_bound_[i].second;
+    const MemberId first = second_of_pair(by_lower_bound_[i]);
     for (std::size_t j = i + 1; j < by_lower_bound_.size(); ++j) {
-      if (by_lower_bound_[j].first > triangles.bounds(first).hi[axis]) break;
-      if (members_cross(triangles, first, by_lower_bound_[j].second)) return true;
+      const std::uint64_t other = by_lower_bound_[j];
+      if (first_of_pair(other) > triangles.bounds(first).hi[axis]) break;
+      if (members_cross(triangles, first, second_of_pair(other))) return true;
     }
   }
   return false;

@@ -2,7 +2,7 @@
 // Whether the surface crosses itself within a cell.
 #pragma once
 
-#include <utility>
+#include <cstdint>
 #include <vector>
 
 #include "split/cell_triangles.h"
@@ -18,7 +18,7 @@ class CrossingTriangles {
   bool exist_in(const CellTriangles& triangles);
 
  private:
-  std::vector<std::pair<std::int32_t, MemberId>> by_lower_bound_;  // along the axis of the sweep
+  std::vector<std::uint64_t> by_lower_bound_;  // along the axis of the sweep, with the member
 };
 
 }  // namespace kdm

@@ -3,9 +3,11 @@
 #include "split/part_cuts.h"
 
 #include <algorithm>
+#include <array>
 
 #include "mesh/disjoint_sets.h"
 #include "mesh/sides.h"
+#include "mesh/sort.h"
 
 namespace kdm {
 
@@ -16,6 +18,10 @@ namespace {
 constexpr Index kMostTrianglesOfSmallPart = 512;
 // More parts than this are many. A window and the parts of its frame are not yet many.
 constexpr std::size_t kFewParts = 4;
+
+std::int32_t upper_bound_of(std::uint64_t extent) {
+  return static_cast<std::int32_t>(second_of_pair(extent));
+}
 
 }  // namespace
 
@@ -69,19 +75,22 @@ std::optional<Split> PartCuts::propose(std::span<const ListEntry> entries) {
   std::int32_t widest_gap = 0;
   for (int axis = 0; axis < 3; ++axis) {
     extents_.clear();
-    for (const ListEntry& entry : entries) extents_.push_back({entry.lo[axis], entry.hi[axis]});
-    std::sort(extents_.begin(), extents_.end());
-    std::int32_t reach = extents_[0][1];
+    for (const ListEntry& entry : entries) {
+      extents_.push_back(pack_pair(entry.lo[axis], static_cast<std::uint32_t>(entry.hi[axis])));
+    }
+    sort_numbers(extents_);
+    std::int32_t reach = upper_bound_of(extents_[0]);
     for (std::size_t i = 1; i < extents_.size(); ++i) {
-      const std::int32_t gap = extents_[i][0] - reach;
-      reach = std::max(reach, extents_[i][1]);
+      const std::int32_t lower_bound = first_of_pair(extents_[i]);
+      const std::int32_t gap = lower_bound - reach;
+      reach = std::max(reach, upper_bound_of(extents_[i]));
       if (gap < 2) continue;  // the plane must touch neither of the triangles beside it
       const std::size_t on_poorer_side = std::min(i, extents_.size() - i);
       if (on_poorer_side < most_on_poorer_side ||
           (on_poorer_side == most_on_poorer_side && gap <= widest_gap)) {
         continue;
       }
-      best = Split{axis, extents_[i][0] - gap + gap / 2};
+      best = Split{axis, lower_bound - gap + gap / 2};
       most_on_poorer_side = on_poorer_side;
       widest_gap = gap;
     }

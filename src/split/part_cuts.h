@@ -2,7 +2,7 @@
 // Splits between the parts of a surface. A split whose plane meets no triangle adds no hits.
 #pragma once
 
-#include <array>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -40,7 +40,7 @@ class PartCuts {
   std::vector<TriangleId> part_of_;  // per triangle: the lowest triangle of its part
   Marks in_small_part_;              // per triangle
   // The lower and upper bound of each triangle in the list along one axis, in lattice units.
-  std::vector<std::array<std::int32_t, 2>> extents_;
+  std::vector<std::uint64_t> extents_;
 };
 
 }  // namespace kdm

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "mesh/marks.h"
+#include "mesh/sort.h"
 
 namespace kdm {
 namespace {
@@ -59,7 +60,7 @@ class MedianRule : public SplitRule {
       }
     }
     std::array<int, 3> axes{0, 1, 2};
-    std::sort(axes.begin(), axes.end(), [&](int a, int b) {
+    sort_by(axes, [&](int a, int b) {
       const auto key = [&](int k) {
         return std::array<std::int32_t, 3>{spread.hi[k] - spread.lo[k],
                                            cell.box.hi[k] - cell.box.lo[k], -k};

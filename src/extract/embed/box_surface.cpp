@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "geometry/exact_sign.h"
+#include "mesh/sort.h"
 
 namespace kdm {
 namespace {
@@ -60,12 +61,12 @@ class SideTriangulation {
         if (a < b) candidates.push_back({(points_[b] - points_[a]).squaredNorm(), {a, b}});
       }
     }
-    std::sort(candidates.begin(), candidates.end());
+    sort_up(candidates);
     for (const Candidate& c : candidates) {
       if (!passes_near_point(c.edge.first, c.edge.second)) add(c.edge.first, c.edge.second);
     }
     for (const Candidate& c : candidates) add(c.edge.first, c.edge.second);
-    std::sort(edges_.begin(), edges_.end());
+    sort_up(edges_);
   }
 
   // Appends the faces between the edges: counter-clockwise seen from above, against the direction
@@ -174,7 +175,7 @@ class Caps {
       const Triangle& corners = surface_.triangles[t];
       for (int i = 0; i < 3; ++i) sides_.push_back({{corners[i], corners[(i + 1) % 3]}, t});
     }
-    std::sort(sides_.begin(), sides_.end());
+    sort_up(sides_);
     for (std::size_t i = 0; i < sides_.size(); ++i) {
       const auto [a, b] = sides_[i].edge;
       if (i > 0 && sides_[i].edge == sides_[i - 1].edge) return false;
@@ -191,7 +192,7 @@ class Caps {
         curve_edges_.push_back(edge);
       }
     }
-    std::sort(curve_edges_.begin(), curve_edges_.end());
+    sort_up(curve_edges_);
     return true;
   }
 

@@ -2,10 +2,10 @@
 // Finds crossing pairs, in all of a mesh or where it has changed.
 #include "extract/embed/crossing_pairs.h"
 
-#include <algorithm>
 #include <numeric>
 
 #include "extract/dual/clearance.h"
+#include "mesh/sort.h"
 
 namespace kdm {
 
@@ -49,8 +49,7 @@ void CrossingPairs::update(const DualMesh& mesh, const std::vector<HitId>& hits)
 std::vector<TriangleId> CrossingPairs::triangles() const {
   std::vector<TriangleId> triangles = flat_triangles_;
   for (const auto& [t, other] : pairs_) triangles.insert(triangles.end(), {t, other});
-  std::sort(triangles.begin(), triangles.end());
-  triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+  make_set(triangles);
   return triangles;
 }
 

@@ -21,6 +21,7 @@
 #include "extract/mend/mend_edges.h"
 #include "extract/place/add_vertices.h"
 #include "mesh/progress.h"
+#include "mesh/sort.h"
 
 namespace kdm {
 namespace {
@@ -89,8 +90,7 @@ class Rounds {
         find_loops_with_neighbours(t, loops_to_nest);
       }
     }
-    std::sort(hits.begin(), hits.end());
-    hits.erase(std::unique(hits.begin(), hits.end()), hits.end());
+    make_set(hits);
     for (const HitId hit : hits) raise(hit, next_level(levels_.hits[hit]));
     for (const LoopId v : loops_to_nest) raise_to_nested(v);
   }
@@ -153,8 +153,7 @@ class Rounds {
     for (const LoopId v : part.loops) mesh_.position[v] = rounded(mesh_.position[v]);
     std::vector<HitId> changed = std::move(part.hits);
     changed.insert(changed.end(), log_.touched_hits().begin(), log_.touched_hits().end());
-    std::sort(changed.begin(), changed.end());
-    changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+    make_set(changed);
     return changed;
   }
 
@@ -165,7 +164,7 @@ class Rounds {
     for (const LoopId v : loops) {
       if (levels_.of_loop(v) == EmbedLevel::kNested) nested.emplace_back(mesh_.leaf[v], v);
     }
-    std::sort(nested.begin(), nested.end());
+    sort_up(nested);
     std::vector<LoopId> loops_of_leaf;
     for (std::size_t i = 0; i < nested.size(); ++i) {
       const CellId leaf = nested[i].first;

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "extract/dual/clearance.h"
+#include "mesh/sort.h"
 
 namespace kdm {
 
@@ -83,7 +84,7 @@ bool Envelopes::parted_along(const Vec3& normal, const DualMesh& mesh,
     });
     ranges.emplace_back(lowest, highest);
   });
-  std::sort(ranges.begin(), ranges.end());
+  sort_up(ranges);
   const double gap = 4 * kClear * normal.norm();
   for (std::size_t i = 1; i < ranges.size(); ++i) {
     if (!(ranges[i].first > ranges[i - 1].second + gap)) return false;

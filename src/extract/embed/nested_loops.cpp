@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "extract/embed/box_surface.h"
+#include "mesh/sort.h"
 
 namespace kdm {
 namespace {
@@ -111,7 +112,7 @@ class Nesting {
         open.push_back({{corners[i], corners[(i + 1) % 3]}, first + i});
       }
     }
-    std::sort(open.begin(), open.end());
+    sort_up(open);
     for (const auto& [ends, half_edge] : open) {
       const auto opposite =
           std::lower_bound(open.begin(), open.end(), OpenSide{{ends[1], ends[0]}, 0});

@@ -28,17 +28,11 @@
 //      side to which the triangle that is put back was linked.
 #include "extract/embed/restore.h"
 
-#include <algorithm>
-
 #include "mesh/marks.h"
+#include "mesh/sort.h"
 
 namespace kdm {
 namespace {
-
-void sort_and_remove_repeated(std::vector<LoopId>& loops) {
-  std::sort(loops.begin(), loops.end());
-  loops.erase(std::unique(loops.begin(), loops.end()), loops.end());
-}
 
 class Restoring {
  public:
@@ -48,12 +42,12 @@ class Restoring {
   Restored run(const std::vector<HitId>& hits) {
     for (const HitId hit : hits) include(hit);
     for (std::size_t i = 0; i < part_.hits.size(); ++i) include_tied_to(part_.hits[i]);
-    std::sort(part_.hits.begin(), part_.hits.end());
+    sort_numbers(part_.hits);
     drop_added();
     for (const HitId hit : part_.hits) restore_triangle(hit);
     for (const HitId hit : part_.hits) restore_vertices(hit);
-    sort_and_remove_repeated(part_.loops);
-    sort_and_remove_repeated(part_.split);
+    make_set(part_.loops);
+    make_set(part_.split);
     return std::move(part_);
   }
 

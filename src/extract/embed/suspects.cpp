@@ -2,7 +2,7 @@
 // Finds the enclosed hits: among all hits, or only among the hits that a change concerns.
 #include "extract/embed/suspects.h"
 
-#include <algorithm>
+#include "mesh/sort.h"
 
 namespace kdm {
 
@@ -44,7 +44,7 @@ void Suspects::find_hits_to_update(std::span<const HitId> changed) {
       }
     }
   }
-  std::sort(updated_hits_.begin(), updated_hits_.end());
+  sort_numbers(updated_hits_);
 }
 
 // Lists the leaves of these hits that hold several loops; ascending.
@@ -56,8 +56,7 @@ std::vector<CellId> Suspects::leaves_of_several_loops(std::span<const HitId> hit
       if (envelopes_.has_several_loops(leaf)) leaves.push_back(leaf);
     }
   }
-  std::sort(leaves.begin(), leaves.end());
-  leaves.erase(std::unique(leaves.begin(), leaves.end()), leaves.end());
+  make_set(leaves);
   return leaves;
 }
 

@@ -3,10 +3,9 @@
 // mesh.
 #include "extract/mend/double_edges.h"
 
-#include <algorithm>
-
 #include "extract/dual/edit.h"
 #include "geometry/assert.h"
+#include "mesh/sort.h"
 
 namespace kdm {
 namespace {
@@ -51,7 +50,7 @@ class Separation {
       }
       if (!doubled) return;
     }
-    std::sort(ring_.begin(), ring_.end());
+    sort_numbers(ring_);
     for (std::size_t i = 1; i < ring_.size(); ++i) {
       if (ring_[i] == ring_[i - 1]) doubles_.emplace_back(v, ring_[i]);
     }

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "mesh/sort.h"
+
 namespace kdm {
 namespace {
 
@@ -41,7 +43,7 @@ class Arcs {
   // Returns the links with longer arcs first, because these pass over shorter ones. Links that are
   // no arcs of this side come before all arcs.
   std::vector<HitPair> sorted(std::vector<HitPair> links) const {
-    std::sort(links.begin(), links.end(), [&](const HitPair& a, const HitPair& b) {
+    sort_by(links, [&](const HitPair& a, const HitPair& b) {
       const double first = is_arc(a) ? length(a) : std::numeric_limits<double>::infinity();
       const double second = is_arc(b) ? length(b) : std::numeric_limits<double>::infinity();
       if (first != second) return first > second;

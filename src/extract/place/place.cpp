@@ -6,6 +6,7 @@
 
 #include "extract/place/vertex_position.h"
 #include "geometry/quadric.h"
+#include "mesh/sort.h"
 
 namespace kdm {
 namespace {
@@ -71,8 +72,7 @@ std::vector<std::pair<Index, Vec3>> kept_corners(const GridData& grid, const Dua
     const Index vertex = mesh.vertex[3 * hit + place];
     if (vertex != kNone) corners.emplace_back(vertex, corner.point);  // else of a pillow
   }
-  std::sort(corners.begin(), corners.end(),
-            [](const auto& a, const auto& b) { return a.first < b.first; });
+  sort_by(corners, [](const auto& a, const auto& b) { return a.first < b.first; });
   return corners;
 }
 
