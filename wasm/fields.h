@@ -24,19 +24,26 @@ Choice to_choice(const val& word, const char* name) {
               std::string(name) + ": '" + text + "' is none of " + joined_words<Choice>(", "));
 }
 
+// Functions below take the name of a field instead of the field, so that compilers drop its help.
+
+/// Reads an option; keeps its default if there is none.
+template <typename Value>
+void read_option(const val& from, const char* name, Value& target) {
+  const val value = from[camel_case(name)];
+  if (!present(value)) return;
+  if constexpr (std::is_enum_v<Value>) {
+    target = to_choice<Value>(value, name);
+  } else {
+    target = value.as<Value>();
+  }
+}
+
 /// Reads an object of options. What it lacks keeps its default.
 template <typename Options>
 Options to_options(const val& from) {
   Options options;
   for_each_field(options, [&](const OptionField& field, auto& target) {
-    using Value = std::decay_t<decltype(target)>;
-    const val value = from[camel_case(field.name)];
-    if (!present(value)) return;
-    if constexpr (std::is_enum_v<Value>) {
-      target = to_choice<Value>(value, field.name);
-    } else {
-      target = value.as<Value>();
-    }
+    read_option(from, field.name, target);
   });
   return options;
 }
@@ -61,12 +68,19 @@ val from_value(const std::vector<Element>& list) {
   return from_indices(list);
 }
 
+inline val from_value(const MeshReport& report);
+
+template <typename Value>
+void set_field(val& to, const char* name, const Value& value) {
+  to.set(camel_case(name), from_value(value));
+}
+
 /// Makes an object of a report.
 template <typename Report>
 val from_report(const Report& report) {
   val to = val::object();
   for_each_field(report, [&](const ReportField& field, const auto& value) {
-    to.set(camel_case(field.name), from_value(value));
+    set_field(to, field.name, value);
   });
   return to;
 }
@@ -111,7 +125,7 @@ inline val from_defects(const MeshDefects& defects) {
     } else if constexpr (std::is_same_v<Value, std::vector<MeshPart>>) {
       set_parts(to, value);
     } else {
-      to.set(camel_case(field.name), from_value(value));
+      set_field(to, field.name, value);
     }
   });
   return to;

@@ -11,6 +11,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 
 #include "kdmanifold/analyze.h"
 #include "kdmanifold/build.h"
@@ -98,11 +99,21 @@ constexpr std::span<const Word<Choice>> words_of() {
     return kFormatWords;
 }
 
+/// The words of a choice without their help, which programs that look words up need not hold.
+template <typename Choice>
+inline constexpr auto kBareWords = [] {
+  std::array<std::pair<const char*, Choice>, words_of<Choice>().size()> bare{};
+  for (std::size_t i = 0; i < bare.size(); ++i) {
+    bare[i] = {words_of<Choice>()[i].word, words_of<Choice>()[i].value};
+  }
+  return bare;
+}();
+
 /// Returns the word for a value; null if the number behind it is that of no word.
 template <typename Choice>
 constexpr const char* word_of(Choice value) {
-  for (const Word<Choice>& word : words_of<Choice>()) {
-    if (word.value == value) return word.word;
+  for (const auto& bare : kBareWords<Choice>) {
+    if (bare.second == value) return bare.first;
   }
   return nullptr;
 }
@@ -110,8 +121,8 @@ constexpr const char* word_of(Choice value) {
 /// Returns what a word stands for; nothing if it is none of the choice's.
 template <typename Choice>
 constexpr std::optional<Choice> value_of(std::string_view text) {
-  for (const Word<Choice>& word : words_of<Choice>()) {
-    if (text == word.word) return word.value;
+  for (const auto& bare : kBareWords<Choice>) {
+    if (text == bare.first) return bare.second;
   }
   return std::nullopt;
 }
@@ -120,9 +131,9 @@ constexpr std::optional<Choice> value_of(std::string_view text) {
 template <typename Choice>
 std::string joined_words(std::string_view separator) {
   std::string text;
-  for (const Word<Choice>& word : words_of<Choice>()) {
+  for (const auto& bare : kBareWords<Choice>) {
     if (!text.empty()) text += separator;
-    text += word.word;
+    text += bare.first;
   }
   return text;
 }
