@@ -15,7 +15,7 @@ const head = (text) => `// SPDX-License-Identifier: MIT
 export async function generate(description, readme) {
   // Here, not at the top: set-up may just have installed it.
   const { format } = await import('prettier');
-  const { build, extract, analyze, command } = description.options;
+  const { build, extract, analyze, files, report } = description.options;
   const typescript = (text) =>
     format(text, { parser: 'typescript', printWidth: 100, singleQuote: true });
   return {
@@ -48,7 +48,8 @@ export async function generate(description, readme) {
       [
         head('The command line.'),
         `import type { OptionSpec } from './option-spec.js';\n`,
-        optionTable('commandOptions: Record<string, OptionSpec>', command),
+        optionTable('fileOptions: Record<string, OptionSpec>', files),
+        optionTable('reportOptions: Record<string, OptionSpec>', report),
         `/** What --help prints. */\nexport const helpText = [\n${description.help
           .split('\n')
           .map((line) => `  ${JSON.stringify(line)},`)

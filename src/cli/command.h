@@ -1,54 +1,99 @@
 // SPDX-License-Identifier: MIT
-// What the command line asks for, and the table of the options that only the command lines have.
+// What the command line asks for, and the tables of the options that only the command lines have.
 #pragma once
 
+#include <map>
 #include <string>
+#include <vector>
 
+#include "cli/file_format.h"
 #include "kdmanifold/kdmanifold.h"
 #include "kdmanifold/options.h"
 
 namespace kdm::cli {
 
-/// One run of the program, as its arguments say.
-struct Command {
-  std::string input;      ///< path of a mesh or of a saved grid
-  std::string output;     ///< path of the result; empty: none is written
-  std::string save_grid;  ///< path where the grid goes; empty: nowhere
-  BuildOptions build;
-  ExtractOptions extract;
-  bool json = false;   ///< print the report as JSON
+/// Where results go, and what files are.
+struct FileOptions {
+  std::string output;                             ///< path of the result; empty: none is written
+  std::string out_dir;                            ///< folder of the results; empty: there is none
+  FileFormat format = FileFormat::kByName;        ///< of results
+  FileFormat input_format = FileFormat::kByName;  ///< of inputs
+  std::string save_grid;                          ///< path where the grid goes; empty: nowhere
+  bool force = false;                             ///< overwrite files that exist
+};
+
+/// What is looked at and said.
+struct ReportOptions {
   bool check = false;  ///< verify the output; exit status 1 if it is not 2-manifold
   bool stats = false;  ///< describe the input's defects
+  bool json = false;   ///< print the report as JSON
+  bool quiet = false;  ///< print nothing but errors
+};
+
+/// One run of the program, as its arguments say.
+struct Command {
+  std::vector<std::string> inputs;  ///< paths of meshes or of saved grids, `-`, and patterns
+  FileOptions files;
+  ReportOptions report;
+  BuildOptions build;
+  ExtractOptions extract;
+  std::map<std::string, std::string> typed;  ///< options that are given: how, by their flags
   std::string answer;  ///< not empty: print this instead of working (--help, --version)
 };
 
+/// Says whether something is to be written.
+inline bool writes(const FileOptions& files) {
+  return !files.output.empty() || !files.out_dir.empty() || !files.save_grid.empty();
+}
+
 /// Says whether a grid is to be made. With --stats alone none is.
 inline bool converts(const Command& command) {
-  return !command.stats || command.check || !command.output.empty() || !command.save_grid.empty();
+  return !command.report.stats || command.report.check || writes(command.files);
 }
 
 /// Calls `visit(const OptionField&, member)` for the options of the command lines themselves.
-template <Either<Command> Options, typename Visit>
-void for_each_field(Options& command, Visit&& visit) {
+template <Either<FileOptions> Options, typename Visit>
+void for_each_field(Options& files, Visit&& visit) {
   visit(OptionField{.name = "output",
                     .short_name = "o",
                     .letter = "FILE",
-                    .help = "where the result goes (.obj, .stl, .ply, .off)"},
-        command.output);
+                    .help = "where the result goes, of one input; - is standard output"},
+        files.output);
+  visit(
+      OptionField{.name = "out_dir",
+                  .letter = "DIR",
+                  .help = "where results go, named after their inputs; made if its parent exists"},
+      files.out_dir);
+  visit(OptionField{.name = "format",
+                    .help = "what results are, whatever their names say",
+                    .unset = "by extension"},
+        files.format);
+  visit(OptionField{.name = "input_format",
+                    .help = "what inputs are, whatever their names say",
+                    .unset = "by extension"},
+        files.input_format);
   visit(OptionField{.name = "save_grid",
                     .letter = "FILE",
                     .help = "where the grid goes, to be INPUT another time (.kdgrid)"},
-        command.save_grid);
-  visit(
-      OptionField{.name = "json", .help = "print one JSON report on standard output, nothing else"},
-      command.json);
+        files.save_grid);
+  visit(OptionField{.name = "force", .help = "overwrite files that exist"}, files.force);
+}
+
+/// See above.
+template <Either<ReportOptions> Options, typename Visit>
+void for_each_field(Options& report, Visit&& visit) {
   visit(OptionField{.name = "check",
                     .help = "verify the output and count triangles that cross; exit status 1 if it "
                             "is not 2-manifold"},
-        command.check);
+        report.check);
   visit(OptionField{.name = "stats",
                     .help = "describe the input's defects; alone, nothing else is done"},
-        command.stats);
+        report.stats);
+  visit(OptionField{.name = "json",
+                    .help = "print one JSON report on standard output, nothing else; of several "
+                            "inputs, a list of reports"},
+        report.json);
+  visit(OptionField{.name = "quiet", .help = "print nothing but errors"}, report.quiet);
 }
 
 /// Writes the option as it is typed: `--split-error`; `--no-unfold` for flags that are on already.
@@ -57,6 +102,12 @@ std::string flag_of(const OptionField& field, const Value& standard) {
   bool on = false;
   if constexpr (std::is_same_v<Value, bool>) on = standard;
   return (on ? "--no-" : "--") + kebab_case(field.name);
+}
+
+/// Returns the flag as the user has typed it: `-o`, `--splitError`.
+inline std::string as_typed(const Command& command, const std::string& flag) {
+  const auto typed = command.typed.find(flag);
+  return typed == command.typed.end() ? flag : typed->second;
 }
 
 }  // namespace kdm::cli

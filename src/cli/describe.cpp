@@ -39,7 +39,7 @@ template <typename Choice>
 requires std::is_enum_v<Choice>
 void add_type(Json& json, Choice standard) {
   json["type"] = "choice";
-  json["default"] = word_of(standard);
+  if (word_of(standard) != nullptr) json["default"] = word_of(standard);
   for (const Word<Choice>& word : words_of<Choice>()) {
     json["words"].push_back({{"word", word.word}, {"help", in_javascript(word.help)}});
   }
@@ -141,7 +141,8 @@ std::string description() {
   json["options"] = {{"build", options_json<BuildOptions>()},
                      {"extract", options_json<ExtractOptions>()},
                      {"analyze", options_json<AnalyzeOptions>()},
-                     {"command", options_json<Command>()}};
+                     {"files", options_json<FileOptions>()},
+                     {"report", options_json<ReportOptions>()}};
   Json& reports = json["reports"];
   reports["InputReport"] = report_json<InputReport>("What the grid was built from");
   reports["GridStats"] = report_json<GridStats>("The size of a grid");

@@ -56,8 +56,10 @@ Line line_of(const OptionField& field, const Value& standard) {
   if constexpr (std::is_same_v<Value, bool>) {
     return {option, (standard ? "do not " : "") + std::string(field.help)};
   } else if constexpr (std::is_enum_v<Value>) {
+    const bool unset = field.unset[0] != '\0';
     Line line{option + ' ' + joined_words<Value>("|"),
-              fmt::format("{} (default {})", field.help, word_of(standard))};
+              fmt::format("{} (default {})", field.help, unset ? field.unset : word_of(standard))};
+    if (unset) return line;  // words that need no explanation
     for (const Word<Value>& word : words_of<Value>()) {
       line.words.push_back(fmt::format("{}: {}", word.word, plain(word.help)));
     }
@@ -112,27 +114,38 @@ std::string written(const Line& line) {
 }  // namespace
 
 std::string help_text() {
-  std::vector<Line> lines;
-  add_lines<BuildOptions>(lines);
-  add_lines<ExtractOptions>(lines);
-  lines.push_back({"--no-strict", "keep double edges and parts without volume, as --strict off"});
-  add_lines<Command>(lines);
-  lines.push_back({"--version", "print the version"});
-  lines.push_back({"-h, --help", "print this"});
   std::string text =
       "Makes a closed, oriented 2-manifold mesh of any mesh.\n"
-      "Formats by extension: OBJ, STL, PLY, OFF; saved grids: .kdgrid.\n"
+      "Formats by extension: OBJ, STL, PLY, OFF, GLB; saved grids: .kdgrid.\n"
       "\n"
-      "Usage: kdmanifold [OPTIONS] INPUT\n"
+      "Usage: kdmanifold [OPTIONS] INPUT...\n"
       "\n"
-      "INPUT is the mesh to convert, or a saved grid.\n"
-      "\n"
-      "Options:\n";
-  for (const Line& line : lines) text += written(line);
+      "INPUT is a mesh to convert, a saved grid, a pattern such as 'parts/**/*.stl', or - for\n"
+      "standard input. Names that begin with - follow --. Options may be in camel case too.\n";
+  const auto add_group = [&](const char* title, const std::vector<Line>& lines) {
+    text += fmt::format("\n{}:\n", title);
+    for (const Line& line : lines) text += written(line);
+  };
+  std::vector<Line> lines;
+  add_lines<FileOptions>(lines);
+  add_group("Files", lines);
+  lines.clear();
+  add_lines<ReportOptions>(lines);
+  lines.push_back({"--version", "print the version"});
+  lines.push_back({"-h, --help", "print this"});
+  add_group("Checks and reports", lines);
+  lines.clear();
+  add_lines<BuildOptions>(lines);
+  add_group("How a mesh becomes a grid", lines);
+  lines.clear();
+  add_lines<ExtractOptions>(lines);
+  lines.push_back({"--no-strict", "keep double edges and parts without volume, as --strict off"});
+  add_group("How a grid becomes a mesh", lines);
   return text +
          "\n"
-         "Exit status: 0 done, 1 --check found the output not 2-manifold (of a sheet: not a\n"
-         "manifold with boundary), 2 bad input or option.\n";
+         "Exit status: 0 done, 1 --check found an output not 2-manifold (of a sheet: not a\n"
+         "manifold with boundary), 2 bad input or option. Of several inputs the bad ones are\n"
+         "named, and the others are done.\n";
 }
 
 }  // namespace kdm::cli

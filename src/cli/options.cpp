@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Reads the arguments with CLI11, by the tables of options.
+// Reads the arguments by the tables of options. cli-options.ts does the same, word for word.
 #include "cli/options.h"
 
 #include <fast_float/fast_float.h>
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cmath>
-#include <vector>
+#include <functional>
 
 #include "cli/describe.h"
 #include "cli/help.h"
+#include "cli/suggest.h"
 
 namespace kdm::cli {
 namespace {
@@ -28,14 +28,25 @@ bool is_whole(const std::string& text) {
   return !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
 }
 
+template <typename Choice>
+std::vector<std::string> word_list() {
+  std::vector<std::string> list;
+  for (const Word<Choice>& word : words_of<Choice>()) list.emplace_back(word.word);
+  return list;
+}
+
 // Takes the value over. Returns what is wrong with it, or "".
 template <typename Value>
 std::string read_value(const OptionField& field, const std::string& text, Value& target) {
   if constexpr (std::is_same_v<Value, std::string>) {
+    if (text.empty()) return "the value is empty";
     target = text;
   } else if constexpr (std::is_enum_v<Value>) {
     const std::optional<Value> value = value_of<Value>(text);
-    if (!value) return fmt::format("'{}' is none of {}", text, joined_words<Value>(", "));
+    if (!value) {
+      return fmt::format("'{}' is none of {}{}", text, joined_words<Value>(", "),
+                         did_you_mean(text, word_list<Value>()));
+    }
     target = *value;
   } else {
     constexpr bool kWhole = std::is_integral_v<Value>;
@@ -49,88 +60,175 @@ std::string read_value(const OptionField& field, const std::string& text, Value&
   return "";
 }
 
-// Makes CLI11 fill the fields in. It looks no further than at names: its validators would wrap
-// messages of their own around ours. The first thing that is wrong with a value is left in `fault`.
+// What can be typed. Flags have no `read`, values no `set`.
+struct Entry {
+  std::string flag;
+  std::string short_flag;
+  std::function<void()> set;
+  std::function<std::string(const std::string&)> read;
+};
+
 template <typename Options>
-void add_fields(CLI::App& app, Options& options, std::string& fault) {
+void add_entries(std::vector<Entry>& entries, Options& options) {
   for_each_field(options, [&](const OptionField& field, auto& target) {
     using Value = std::decay_t<decltype(target)>;
-    const std::string flag = flag_of(field, target);
+    Entry entry{flag_of(field, target), {}, {}, {}};
+    if (field.short_name[0] != '\0') entry.short_flag = std::string("-") + field.short_name;
     if constexpr (std::is_same_v<Value, bool>) {
-      app.add_flag_callback(flag, [&target, standard = target] { target = !standard; });
+      entry.set = [&target, standard = target] { target = !standard; };
     } else {
-      const std::string short_name = field.short_name;
-      const std::string names = short_name.empty() ? flag : "-" + short_name + "," + flag;
-      CLI::Option* const option = app.add_option_function<std::string>(
-          names, [=, &target, &fault](const std::string& text) {
-            const std::string wrong = read_value(field, text, target);
-            if (fault.empty() && !wrong.empty()) fault = flag + ": " + wrong;
-          });
-      // Named where a value is missing.
-      if constexpr (std::is_enum_v<Value>) {
-        option->type_name(joined_words<Value>("|"));
-      } else {
-        option->type_name(field.letter);
-      }
+      entry.read = [field, &target](const std::string& text) {
+        return read_value(field, text, target);
+      };
     }
+    entries.push_back(std::move(entry));
   });
 }
 
-std::string one_line(std::string text) {
-  for (char& c : text) {
-    if (c == '\n' || c == '\r') c = ' ';
+// `--splitError` -> `--split-error`.
+std::string dashed(const std::string& name) {
+  std::string text;
+  for (const char c : name) {
+    const bool capital = c >= 'A' && c <= 'Z';
+    if (capital) text += '-';
+    text += capital ? static_cast<char>(c - 'A' + 'a') : c;
   }
   return text;
 }
 
-// What the values alone cannot tell.
-void check_combination(const CLI::App& app, const Command& command) {
-  if (!command.save_grid.empty() && !names_a_grid(command.save_grid)) {
-    throw UsageError(fmt::format("--save-grid: '{}' does not end in .kdgrid", command.save_grid));
-  }
-  if (!names_a_grid(command.input)) return;
-  if (command.stats) {
-    throw UsageError(fmt::format("--stats: {} is a grid, which has no faces", command.input));
-  }
-  const BuildOptions standard;
-  for_each_field(standard, [&](const OptionField& field, const auto& value) {
-    const std::string flag = flag_of(field, value);
-    if (app.count(flag) > 0) {
-      throw UsageError(fmt::format("{}: the grid in {} is built already", flag, command.input));
+constexpr const char* kSeeHelp = " (--help lists the options)";
+
+[[noreturn]] void refuse_unknown(const std::string& name, const std::vector<Entry>& entries) {
+  std::vector<std::string> flags = {"help", "version"};
+  for (const Entry& entry : entries) flags.push_back(entry.flag.substr(2));
+  const std::string word = dashed(name.substr(std::min(name.size(), name.find_first_not_of('-'))));
+  std::string near = nearest(word, flags);
+  if (!near.empty()) {
+    near = "--" + near;
+  } else if (name[1] != '-') {  // the value may stand right behind the letter
+    for (const Entry& entry : entries) {
+      const std::string& flag = entry.short_flag;
+      if (!flag.empty() && name.rfind(flag, 0) == 0) near = flag + ' ' + name.substr(flag.size());
     }
-  });
+  }
+  throw UsageError(fmt::format("{}: there is no such option{}", name,
+                               near.empty() ? kSeeHelp : "; did you mean " + near + "?"));
+}
+
+// Goes through the arguments one by one.
+class Scanner {
+ public:
+  Scanner(const std::vector<std::string>& arguments, Command& command)
+      : arguments_(arguments), command_(command) {
+    add_entries(entries_, command.files);
+    add_entries(entries_, command.report);
+    add_entries(entries_, command.build);
+    add_entries(entries_, command.extract);
+    entries_.push_back(
+        {"--no-strict", "", [&command] { command.extract.strict = Strict::kOff; }, {}});
+  }
+
+  void run() {
+    while (at_ < arguments_.size()) {
+      const std::string& argument = arguments_[at_++];
+      if (argument == "--") {
+        command_.inputs.insert(command_.inputs.end(),
+                               arguments_.begin() + static_cast<std::ptrdiff_t>(at_),
+                               arguments_.end());
+        return;
+      }
+      if (argument.size() > 1 && argument[0] == '-') {
+        read_option(argument);
+      } else {
+        command_.inputs.push_back(argument);
+      }
+    }
+  }
+
+ private:
+  void read_option(const std::string& argument) {
+    const std::size_t equals = argument.find('=');
+    const bool has_value = equals != std::string::npos;
+    const std::string name = argument.substr(0, equals);
+    const Entry& entry = find(name);
+    const bool first = command_.typed.emplace(entry.flag, name).second;
+    if (entry.set) {
+      if (has_value) throw UsageError(name + ": takes no value");
+      if (first) entry.set();
+      return;
+    }
+    if (!first) throw UsageError(name + ": is given twice");
+    const std::string wrong =
+        entry.read(has_value ? argument.substr(equals + 1) : next_value(name));
+    if (!wrong.empty()) throw UsageError(name + ": " + wrong);
+  }
+
+  const Entry& find(const std::string& name) const {
+    const std::string flag = name[1] == '-' ? dashed(name) : name;
+    for (const Entry& entry : entries_) {
+      if (entry.flag == flag || entry.short_flag == flag) return entry;
+    }
+    refuse_unknown(name, entries_);
+  }
+
+  // What looks like an option is none's value: that one was forgotten.
+  const std::string& next_value(const std::string& name) {
+    if (at_ == arguments_.size() || arguments_[at_].rfind("--", 0) == 0) {
+      throw UsageError(name + ": the value is missing");
+    }
+    return arguments_[at_++];
+  }
+
+  const std::vector<std::string>& arguments_;
+  Command& command_;
+  std::vector<Entry> entries_;
+  std::size_t at_ = 0;
+};
+
+// Whatever else is wrong: who asks for help gets it.
+std::string answer_to(const std::vector<std::string>& arguments) {
+  const auto end = std::find(arguments.begin(), arguments.end(), "--");
+  const auto given = [&](const char* flag) {
+    return std::find(arguments.begin(), end, flag) != end;
+  };
+  if (given("--help") || given("-h")) return help_text();
+  if (given("--version")) return "kdmanifold " KDM_VERSION "\n";
+  if (given("--describe")) return description();  // for scripts, so not in the help
+  return "";
+}
+
+// What the values alone cannot tell.
+void check_combination(const Command& command) {
+  const FileOptions& files = command.files;
+  const auto refuse = [&](const char* flag, const std::string& text) {
+    throw UsageError(as_typed(command, flag) + ": " + text);
+  };
+  if (command.inputs.empty()) throw UsageError(std::string("INPUT is required") + kSeeHelp);
+  for (const std::string& input : command.inputs) {
+    if (input.empty()) throw UsageError(std::string("INPUT is empty") + kSeeHelp);
+  }
+  if (!files.save_grid.empty() && !names_a_grid(files.save_grid)) {
+    refuse("--save-grid", fmt::format("'{}' does not end in .kdgrid", files.save_grid));
+  }
+  if (!files.out_dir.empty() && !files.output.empty()) {
+    refuse("--out-dir", "not together with " + as_typed(command, "--output"));
+  }
+  if (!files.out_dir.empty() && !files.save_grid.empty()) {
+    refuse("--out-dir", "not together with " + as_typed(command, "--save-grid"));
+  }
+  if (command.report.quiet && command.report.json) {
+    refuse("--quiet", "not together with --json, which prints a report");
+  }
 }
 
 }  // namespace
 
-Command parse_command(int argc, const char* const* argv) {
+Command parse_command(const std::vector<std::string>& arguments) {
   Command command;
-  std::string fault;
-  CLI::App app("", "kdmanifold");
-  app.add_option("INPUT", command.input)->required();
-  add_fields(app, command.build, fault);
-  add_fields(app, command.extract, fault);
-  add_fields(app, command, fault);
-  app.add_flag_callback("--no-strict", [&] { command.extract.strict = Strict::kOff; });
-  app.set_version_flag("--version", "kdmanifold " KDM_VERSION);
-  // For scripts, so not in the help. Like --version it wants no INPUT.
-  app.add_flag_callback("--describe", [] { throw CLI::Success(); });
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::CallForHelp&) {
-    command.answer = help_text();
-    return command;
-  } catch (const CLI::CallForVersion& version) {
-    command.answer = std::string(version.what()) + "\n";
-    return command;
-  } catch (const CLI::Success&) {  // of --describe
-    command.answer = description();
-    return command;
-  } catch (const CLI::ParseError& error) {
-    throw UsageError(one_line(error.what()) + " (--help lists the options)");
-  }
-  if (!fault.empty()) throw UsageError(fault);
-  check_combination(app, command);
+  command.answer = answer_to(arguments);
+  if (!command.answer.empty()) return command;
+  Scanner(arguments, command).run();
+  check_combination(command);
   return command;
 }
 

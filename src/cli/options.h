@@ -13,8 +13,10 @@ struct UsageError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Reads the arguments, the program's name first. Throws `UsageError` for an option that does not
-/// exist, a value that is not legal, or options that do not go together.
-Command parse_command(int argc, const char* const* argv);
+/// Reads the arguments, without the program's name. Options are `--name VALUE`, `--name=VALUE`,
+/// `-o VALUE`; names may be written in camel case. All that follows `--` are inputs. Throws
+/// `UsageError` for an option that does not exist, a value that is missing or not legal, an option
+/// given twice, or options that do not go together. Looks at no file.
+Command parse_command(const std::vector<std::string>& arguments);
 
 }  // namespace kdm::cli

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
+#include <vector>
 
-#include "cli/command.h"
+#include "cli/plan.h"
 #include "kdmanifold/kdmanifold.h"
 
 namespace kdm::cli {
@@ -23,7 +25,8 @@ struct RunReport {
   ExtractReport extracted;
   std::uint64_t self_intersections = 0;  ///< of the output; with --check only
   Seconds seconds;
-  std::uint64_t peak_bytes = 0;  ///< most memory the process held; 0: unknown
+  std::uint64_t peak_bytes = 0;    ///< most memory the process held; 0: unknown
+  std::vector<std::string> notes;  ///< what was left out of the input, in words
 };
 
 /// What the parts of a mesh have together.
@@ -43,11 +46,6 @@ PartSums sum_parts(const MeshDefects& defects);
 /// that may have a boundary.
 inline bool passes_check(const MeshReport& output, bool sheet) {
   return sheet ? output.manifold : output.two_manifold;
-}
-
-/// Says whether a file is to be written.
-inline bool writes(const Command& command) {
-  return !command.output.empty() || !command.save_grid.empty();
 }
 
 }  // namespace kdm::cli

@@ -25,12 +25,12 @@ Json input_json(const MeshDefects& input) {
 
 Json seconds_json(const RunReport& report, const Command& command) {
   Json json = {{"read", report.seconds.read}};
-  if (command.stats) json["analyze"] = report.seconds.analyze;
+  if (command.report.stats) json["analyze"] = report.seconds.analyze;
   if (converts(command)) {
     json["build"] = report.seconds.build;
     json["extract"] = report.seconds.extract;
   }
-  if (writes(command)) json["write"] = report.seconds.write;
+  if (writes(command.files)) json["write"] = report.seconds.write;
   return json;
 }
 
@@ -72,21 +72,21 @@ Json defects_json(const MeshDefects& defects) {
   return json;
 }
 
-std::string report_as_json(const RunReport& report, const Command& command) {
+Json report_as_json(const RunReport& report, const Command& command) {
   Json json;
   json["input"] = converts(command) ? all_fields(report.input) : input_json(report.defects);
-  if (command.stats) json["defects"] = defects_json(report.defects);
+  if (command.report.stats) json["defects"] = defects_json(report.defects);
   if (converts(command)) {
     json["grid"] = all_fields(report.grid);
     json["output"] = output_json(report.output, report.extracted);
   }
-  if (command.check) {
+  if (command.report.check) {
     json["output"]["selfIntersections"] = report.self_intersections;
     json["check"] = check_json(report.output);
   }
   json["seconds"] = seconds_json(report, command);
   json["peakBytes"] = report.peak_bytes;
-  return json.dump(2) + "\n";
+  return json;
 }
 
 }  // namespace kdm::cli

@@ -9,10 +9,10 @@
 
 namespace kdm::cli {
 
-/// Writes `input`, with --stats `defects`, then `grid`, `output` (with --check also its
-/// `selfIntersections`), with --check `check`, then `seconds` and `peakBytes`; indented, with a
-/// line end. With --stats alone there is neither `grid` nor `output`.
-std::string report_as_json(const RunReport& report, const Command& command);
+/// Returns `input`, with --stats `defects`, then `grid`, `output` (with --check also its
+/// `selfIntersections`), with --check `check`, then `seconds` and `peakBytes`. With --stats alone
+/// there is neither `grid` nor `output`.
+Json report_as_json(const RunReport& report, const Command& command);
 
 /// Returns what `output` holds: the counts of the result, and the account of how it was made.
 Json output_json(const MeshReport& output, const ExtractReport& extracted);

@@ -62,19 +62,19 @@ std::string defects_text(const MeshDefects& defects) {
 
 std::string seconds_text(const RunReport& report, const Command& command) {
   std::string text = fmt::format("seconds  read {:.3f}", report.seconds.read);
-  if (command.stats) text += fmt::format(", analyze {:.3f}", report.seconds.analyze);
+  if (command.report.stats) text += fmt::format(", analyze {:.3f}", report.seconds.analyze);
   if (converts(command)) {
     text +=
         fmt::format(", build {:.3f}, extract {:.3f}", report.seconds.build, report.seconds.extract);
   }
-  if (writes(command)) text += fmt::format(", write {:.3f}", report.seconds.write);
+  if (writes(command.files)) text += fmt::format(", write {:.3f}", report.seconds.write);
   return text + '\n';
 }
 
-std::string input_text(const RunReport& report, const Command& command) {
+std::string input_text(const RunReport& report, const Command& command, const Task& task) {
   const auto text = [&](std::size_t vertices, std::size_t triangles, std::size_t parts) {
-    return fmt::format("input    {}: {} vertices, {} triangles, {} parts", command.input, vertices,
-                       triangles, parts);
+    return fmt::format("input    {}: {} vertices, {} triangles, {} parts", input_name(task.input),
+                       vertices, triangles, parts);
   };
   if (!converts(command)) {
     const MeshDefects& input = report.defects;
@@ -106,28 +106,29 @@ std::string repair_text(const RunReport& report) {
       report.grid.winding_threshold);
 }
 
-std::string result_text(const RunReport& report, const Command& command) {
+std::string result_text(const RunReport& report, const Command& command, const Task& task) {
   const GridStats& grid = report.grid;
   const MeshReport& output = report.output;
-  std::string text = fmt::format(
-      "grid     {}, depth {}: {} cells, {} hits, {:.1f} MB{}\n",
-      names_a_grid(command.input) ? "loaded" : word_of(command.build.strategy), grid.depth,
-      grid.cells, grid.hits, static_cast<double>(grid.bytes) / 1e6, topology_text(grid));
+  std::string text =
+      fmt::format("grid     {}, depth {}: {} cells, {} hits, {:.1f} MB{}\n",
+                  task.is_grid ? "loaded" : word_of(command.build.strategy), grid.depth, grid.cells,
+                  grid.hits, static_cast<double>(grid.bytes) / 1e6, topology_text(grid));
+  const std::string output_text = task.output == kStandardStream ? "standard output" : task.output;
   text += fmt::format("output   {}{}{} vertices, {}, {} parts, Euler characteristic {}, {}\n",
-                      command.output, command.output.empty() ? "" : ": ", output.vertices,
+                      output_text, output_text.empty() ? "" : ": ", output.vertices,
                       faces_text(output.triangles, output.quads), output.components,
                       output.euler_characteristic, kind_text(output, report.extracted, grid.sheet));
   text += repair_text(report);
-  if (command.check) text += check_text(output, report.self_intersections, grid.sheet);
+  if (command.report.check) text += check_text(output, report.self_intersections, grid.sheet);
   return text;
 }
 
 }  // namespace
 
-std::string report_as_text(const RunReport& report, const Command& command) {
-  std::string text = input_text(report, command);
-  if (command.stats) text += defects_text(report.defects);
-  if (converts(command)) text += result_text(report, command);
+std::string report_as_text(const RunReport& report, const Command& command, const Task& task) {
+  std::string text = input_text(report, command, task);
+  if (command.report.stats) text += defects_text(report.defects);
+  if (converts(command)) text += result_text(report, command, task);
   return text + seconds_text(report, command);
 }
 

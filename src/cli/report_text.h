@@ -9,6 +9,6 @@
 namespace kdm::cli {
 
 /// Writes the lines; the Node command line writes the same.
-std::string report_as_text(const RunReport& report, const Command& command);
+std::string report_as_text(const RunReport& report, const Command& command, const Task& task);
 
 }  // namespace kdm::cli

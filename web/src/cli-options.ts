@@ -1,123 +1,214 @@
 // SPDX-License-Identifier: MIT
-// Reads the command line's arguments by the tables in options.ts and cli-table.ts.
-import { parseArgs, type ParseArgsConfig } from 'node:util';
+// Reads the command line's arguments by the tables in options.ts and cli-table.ts, as
+// src/cli/options.cpp does, word for word.
+import type { FileFormat } from './cli-formats.js';
+import { didYouMean, nearest } from './cli-suggest.js';
+import { fileOptions, reportOptions } from './cli-table.js';
 import { KdManifoldError } from './errors.js';
 import { namesAGrid } from './library.js';
-import { commandOptions } from './cli-table.js';
 import { isLegal, rangeText, type OptionSpec } from './option-spec.js';
 import { buildOptions, extractOptions } from './options.js';
 import type { BuildOptions, ExtractOptions } from './types.js';
 
+/** Where results go, and what files are. */
+export interface FileOptions {
+  output?: string;
+  outDir?: string;
+  format?: FileFormat;
+  inputFormat?: FileFormat;
+  saveGrid?: string;
+  force?: boolean;
+}
+
+/** What is looked at and said. */
+export interface ReportOptions {
+  check?: boolean;
+  stats?: boolean;
+  json?: boolean;
+  quiet?: boolean;
+}
+
 /** What the command line asks for. */
 export interface Command {
-  input: string;
-  output?: string;
-  saveGrid?: string;
+  /** Paths of meshes or of saved grids, `-`, and patterns. */
+  inputs: string[];
+  files: FileOptions;
+  report: ReportOptions;
   build: BuildOptions;
   extract: ExtractOptions;
-  json: boolean;
-  check: boolean;
-  stats: boolean;
-  help: boolean;
-  version: boolean;
+  /** Options that are given: how, by their flags. */
+  typed: Map<string, string>;
+  /** Print this instead of working. */
+  answer?: 'help' | 'version';
 }
+
+/** Says whether something is to be written. */
+export const writes = ({ output, outDir, saveGrid }: FileOptions): boolean =>
+  output !== undefined || outDir !== undefined || saveGrid !== undefined;
 
 /** Says whether a grid is to be made. With --stats alone none is. */
-export function converts({ stats, check, output, saveGrid }: Command): boolean {
-  return !stats || check || output !== undefined || saveGrid !== undefined;
-}
+export const converts = ({ report, files }: Command): boolean =>
+  report.stats !== true || report.check === true || writes(files);
 
-function usageError(message: string): never {
+/** Returns the flag as the user has typed it: `-o`, `--splitError`. */
+export const asTyped = (command: Command, flag: string): string => command.typed.get(flag) ?? flag;
+
+/** Refuses the arguments. */
+export function usageError(message: string): never {
   throw new KdManifoldError('INVALID_OPTION', message);
 }
 
-type Values = Record<string, unknown>;
+const seeHelp = ' (--help lists the options)';
 
-/** Reads the arguments; throws with one line if they are wrong. */
-export function readCommand(args: string[]): Command {
-  const options: NonNullable<ParseArgsConfig['options']> = {
-    help: { type: 'boolean', short: 'h' },
-    version: { type: 'boolean' },
-    'no-strict': { type: 'boolean' },
-  };
-  for (const spec of Object.values({ ...buildOptions, ...extractOptions, ...commandOptions })) {
-    options[spec.flag.slice(2)] = {
-      type: spec.kind === 'boolean' ? 'boolean' : 'string',
-      ...(spec.kind === 'text' && spec.shortName && { short: spec.shortName }),
-    };
+// What can be typed, and what it sets.
+interface Entry {
+  flag: string;
+  short?: string;
+  spec: OptionSpec;
+  set: (value: string | number | boolean) => void;
+}
+
+function entriesOf(command: Command): Entry[] {
+  const of = (table: Record<string, OptionSpec>, target: object): Entry[] =>
+    Object.entries(table).map(([name, spec]) => ({
+      flag: spec.flag,
+      ...(spec.kind === 'text' && spec.shortName && { short: `-${spec.shortName}` }),
+      spec,
+      set: (value) => Object.assign(target, { [name]: value }),
+    }));
+  return [
+    ...of(fileOptions, command.files),
+    ...of(reportOptions, command.report),
+    ...of(buildOptions, command.build),
+    ...of(extractOptions, command.extract),
+    {
+      flag: '--no-strict',
+      spec: { flag: '--no-strict', kind: 'boolean', default: false },
+      set: () => (command.extract.strict = 'off'),
+    },
+  ];
+}
+
+// `--splitError` -> `--split-error`.
+const dashed = (name: string): string => name.replace(/[A-Z]/g, (c) => `-${c.toLowerCase()}`);
+
+function refuseUnknown(name: string, entries: Entry[]): never {
+  const flags = ['help', 'version', ...entries.map(({ flag }) => flag.slice(2))];
+  const word = nearest(dashed(name.replace(/^-+/, '')), flags);
+  let near = word === undefined ? undefined : `--${word}`;
+  if (near === undefined && !name.startsWith('--')) {
+    // The value may stand right behind the letter.
+    const short = entries.find((entry) => entry.short && name.startsWith(entry.short))?.short;
+    if (short !== undefined) near = `${short} ${name.slice(short.length)}`;
   }
-  const { values, positionals } = parse(args, options);
-  const command: Command = {
-    input: positionals[0] ?? '',
-    build: readTable(buildOptions, values),
-    extract: readTable(extractOptions, values['no-strict'] ? { ...values, strict: 'off' } : values),
-    json: false,
-    check: false,
-    stats: false,
-    ...readTable(commandOptions, values),
-    help: values.help === true,
-    version: values.version === true,
-  };
-  if (command.help || command.version) return command;
-  if (positionals.length === 0) usageError('INPUT is required (--help lists the options)');
-  if (positionals.length > 1) {
-    usageError(`'${positionals[1]}': only one input is expected (--help lists the options)`);
-  }
-  if (command.saveGrid !== undefined && !namesAGrid(command.saveGrid)) {
-    usageError(`--save-grid: '${command.saveGrid}' does not end in .kdgrid`);
-  }
-  if (command.stats && namesAGrid(command.input)) {
-    usageError(`--stats: ${command.input} is a grid, which has no faces`);
-  }
-  for (const name of Object.keys(command.build) as (keyof BuildOptions)[]) {
-    if (namesAGrid(command.input)) {
-      usageError(`${buildOptions[name].flag}: the grid in ${command.input} is built already`);
+  return usageError(
+    `${name}: there is no such option${near === undefined ? seeHelp : `; did you mean ${near}?`}`,
+  );
+}
+
+// Goes through the arguments one by one.
+function scan(args: string[], command: Command): void {
+  const entries = entriesOf(command);
+  for (let at = 0; at < args.length;) {
+    const argument = args[at++] ?? '';
+    if (argument === '--') {
+      command.inputs.push(...args.slice(at));
+      return;
     }
+    if (argument.length < 2 || !argument.startsWith('-')) {
+      command.inputs.push(argument);
+      continue;
+    }
+    const equals = argument.indexOf('=');
+    const name = equals < 0 ? argument : argument.slice(0, equals);
+    const flag = name.startsWith('--') ? dashed(name) : name;
+    const entry =
+      entries.find((known) => known.flag === flag || known.short === flag) ??
+      refuseUnknown(name, entries);
+    const first = !command.typed.has(entry.flag);
+    if (first) command.typed.set(entry.flag, name);
+    if (entry.spec.kind === 'boolean') {
+      if (equals >= 0) usageError(`${name}: takes no value`);
+      if (first) entry.set(!entry.spec.default);
+      continue;
+    }
+    if (!first) usageError(`${name}: is given twice`);
+    // What looks like an option is none's value: that one was forgotten.
+    if (equals < 0 && (at === args.length || args[at]?.startsWith('--'))) {
+      usageError(`${name}: the value is missing`);
+    }
+    entry.set(
+      readValue(name, entry.spec, equals < 0 ? (args[at++] ?? '') : argument.slice(equals + 1)),
+    );
   }
-  return command;
 }
 
-function parse(
-  args: string[],
-  options: NonNullable<ParseArgsConfig['options']>,
-): { values: Values; positionals: string[] } {
-  try {
-    return parseArgs({ args, options, allowPositionals: true });
-  } catch (error) {
-    return usageError(`${(error as Error).message} (--help lists the options)`);
-  }
-}
-
-// Reads the options of the table that are given, by their property names.
-function readTable(table: Record<string, OptionSpec>, values: Values): object {
-  const read: Record<string, unknown> = {};
-  for (const [name, spec] of Object.entries(table)) {
-    const text = values[spec.flag.slice(2)];
-    if (text !== undefined) read[name] = readValue(spec, text as string);
-  }
-  return read;
-}
-
-function readValue(spec: OptionSpec, text: string): string | number | boolean {
-  const { flag, kind } = spec;
-  switch (kind) {
+function readValue(name: string, spec: OptionSpec, text: string): string | number {
+  switch (spec.kind) {
     case 'text':
+      if (text === '') usageError(`${name}: the value is empty`);
       return text;
-    case 'boolean':
-      return !spec.default;
     case 'choice':
       if (spec.words.includes(text)) return text;
-      return usageError(`${flag}: '${text}' is none of ${spec.words.join(', ')}`);
+      return usageError(
+        `${name}: '${text}' is none of ${spec.words.join(', ')}${didYouMean(text, spec.words)}`,
+      );
     case 'integer':
     case 'number': {
-      const whole = kind === 'integer';
+      const whole = spec.kind === 'integer';
       const value = (whole ? /^\d+$/ : /^(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i).test(text)
         ? Number(text)
         : NaN;
       if (isLegal(value, spec)) return value;
       return usageError(
-        `${flag}: '${text}' is no ${whole ? 'whole ' : ''}number ${rangeText(spec)}`,
+        `${name}: '${text}' is no ${whole ? 'whole ' : ''}number ${rangeText(spec)}`,
       );
     }
+    case 'boolean':
+      return usageError(`${name}: takes no value`);
   }
+}
+
+// What the values alone cannot tell.
+function checkCombination(command: Command): void {
+  const { inputs, files, report } = command;
+  const refuse = (flag: string, text: string): never =>
+    usageError(`${asTyped(command, flag)}: ${text}`);
+  if (inputs.length === 0) usageError(`INPUT is required${seeHelp}`);
+  if (inputs.includes('')) usageError(`INPUT is empty${seeHelp}`);
+  if (files.saveGrid !== undefined && !namesAGrid(files.saveGrid)) {
+    refuse('--save-grid', `'${files.saveGrid}' does not end in .kdgrid`);
+  }
+  if (files.outDir !== undefined && files.output !== undefined) {
+    refuse('--out-dir', `not together with ${asTyped(command, '--output')}`);
+  }
+  if (files.outDir !== undefined && files.saveGrid !== undefined) {
+    refuse('--out-dir', `not together with ${asTyped(command, '--save-grid')}`);
+  }
+  if (report.quiet && report.json) {
+    refuse('--quiet', 'not together with --json, which prints a report');
+  }
+}
+
+/**
+ * Reads the arguments. Options are `--name VALUE`, `--name=VALUE`, `-o VALUE`; names may be written in camel case. All
+ * that follows `--` are inputs. Throws with one line if something is wrong; looks at no file.
+ */
+export function readCommand(args: string[]): Command {
+  const command: Command = {
+    inputs: [],
+    files: {},
+    report: {},
+    build: {},
+    extract: {},
+    typed: new Map(),
+  };
+  // Whatever else is wrong: who asks for help gets it.
+  const end = args.includes('--') ? args.indexOf('--') : args.length;
+  const asked = args.slice(0, end);
+  if (asked.includes('--help') || asked.includes('-h')) return { ...command, answer: 'help' };
+  if (asked.includes('--version')) return { ...command, answer: 'version' };
+  scan(args, command);
+  checkCombination(command);
+  return command;
 }

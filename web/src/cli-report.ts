@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The account of one run of the command line, word for word as the native one (src/cli) writes it.
+import { inputName, standardStream } from './cli-formats.js';
 import type { Command } from './cli-options.js';
-import { namesAGrid } from './library.js';
+import type { Task } from './cli-plan.js';
 import { pick } from './pick.js';
 import { checkKeys, defectKeys, outputKeys } from './reports.js';
 import type { ExtractReport, GridStats, InputReport, MeshDefects, MeshReport } from './types.js';
@@ -18,15 +19,17 @@ export interface CliReport {
   };
   seconds: { read: number; analyze?: number; build?: number; extract?: number; write?: number };
   peakBytes: number;
+  /** What was left out of the input, in words. */
+  notes: string[];
 }
 
 /**
- * Writes `input`, with --stats `defects`, then `grid`, `output` (with --check also its `selfIntersections`), with
+ * Returns `input`, with --stats `defects`, then `grid`, `output` (with --check also its `selfIntersections`), with
  * --check `check`, then `seconds` and `peakBytes`. With --stats alone there is neither `grid` nor `output`.
  */
-export function reportAsJson(report: CliReport, command: Command): string {
+export function reportAsJson(report: CliReport, command: Command): object {
   const { defects, result, seconds } = report;
-  const json = {
+  return {
     input: result?.input ?? (defects && inputOf(defects)),
     defects: defects && pick(countsOf(defects), defectKeys),
     grid: result?.grid,
@@ -34,7 +37,7 @@ export function reportAsJson(report: CliReport, command: Command): string {
       ...pick(result.output, outputKeys),
       selfIntersections: result.output.selfIntersections,
     },
-    check: command.check && result ? pick(result.output, checkKeys) : undefined,
+    check: command.report.check && result ? pick(result.output, checkKeys) : undefined,
     seconds: {
       read: seconds.read,
       analyze: seconds.analyze,
@@ -44,7 +47,6 @@ export function reportAsJson(report: CliReport, command: Command): string {
     },
     peakBytes: report.peakBytes,
   };
-  return `${JSON.stringify(json, null, 2)}\n`;
 }
 
 // The keys of an InputReport that need no grid.
@@ -89,25 +91,25 @@ function countsOf(defects: MeshDefects): Counts {
 }
 
 /** Writes a few lines for people. */
-export function reportAsText(report: CliReport, command: Command): string {
+export function reportAsText(report: CliReport, command: Command, task: Task): string {
   const { defects, result } = report;
   const lines = [];
-  if (result) lines.push(...inputLines(result.input, command));
-  else if (defects) lines.push(inputLine(defects.report, command));
+  if (result) lines.push(...inputLines(result.input, task));
+  else if (defects) lines.push(inputLine(defects.report, task));
   if (defects) lines.push(...defectLines(defects));
-  if (result) lines.push(...resultLines(result, command));
+  if (result) lines.push(...resultLines(result, command, task));
   lines.push(secondsLine(report.seconds));
   return `${lines.join('\n')}\n`;
 }
 
 type Sizes = { vertices: number; triangles: number; components: number };
 
-const inputLine = (input: Sizes, command: Command): string =>
-  `input    ${command.input}: ${input.vertices} vertices, ${input.triangles} triangles, ` +
+const inputLine = (input: Sizes, task: Task): string =>
+  `input    ${inputName(task.input)}: ${input.vertices} vertices, ${input.triangles} triangles, ` +
   `${input.components} parts`;
 
-function inputLines(input: InputReport, command: Command): string[] {
-  const lines = [`${inputLine(input, command)}${input.flipped ? ', turned inside out' : ''}`];
+function inputLines(input: InputReport, task: Task): string[] {
+  const lines = [`${inputLine(input, task)}${input.flipped ? ', turned inside out' : ''}`];
   if (input.degenerateFaces + input.cancelledFaces > 0) {
     lines.push(
       `         ${input.degenerateFaces} faces without area and ${input.cancelledFaces} ` +
@@ -156,22 +158,27 @@ function defectLines(defects: MeshDefects): string[] {
   ];
 }
 
-function resultLines(result: NonNullable<CliReport['result']>, command: Command): string[] {
+function resultLines(
+  result: NonNullable<CliReport['result']>,
+  command: Command,
+  task: Task,
+): string[] {
+  const path = task.output === standardStream ? 'standard output' : task.output;
   const { grid, output } = result;
   const faces =
     output.quads === 0
       ? `${output.triangles} triangles`
       : `${output.triangles} triangles and ${output.quads} quads`;
   const lines = [
-    `grid     ${namesAGrid(command.input) ? 'loaded' : (command.build.strategy ?? 'adaptive')}, depth ${grid.depth}: ${grid.cells} cells, ` +
+    `grid     ${task.isGrid ? 'loaded' : (command.build.strategy ?? 'adaptive')}, depth ${grid.depth}: ${grid.cells} cells, ` +
       `${grid.hits} hits, ${(grid.bytes / 1e6).toFixed(1)} MB${topologyText(grid)}`,
-    `output   ${command.output === undefined ? '' : `${command.output}: `}` +
+    `output   ${path === undefined ? '' : `${path}: `}` +
       `${output.vertices} vertices, ${faces}, ${output.components} parts, ` +
       `Euler characteristic ${output.eulerCharacteristic}, ` +
       kindText(output, grid.sheet),
   ];
   lines.push(...repairLines(result));
-  if (command.check) {
+  if (command.report.check) {
     lines.push(
       passesCheck(output, grid.sheet)
         ? `check    passed: 2-manifold${output.twoManifold ? '' : ' with boundary'}; ` +

@@ -1,152 +1,132 @@
 #!/usr/bin/env node
 // SPDX-License-Identifier: MIT
 // The command line in Node: the same options, report, files and exit statuses as the native one.
-// 0: done; 1: --check found the output not 2-manifold; 2: bad input or option, one line of error.
-import { readFileSync, realpathSync, renameSync, rmSync, writeFileSync } from 'node:fs';
+// 0: done; 1: --check found an output not 2-manifold; 2: bad input or option, one line of error each.
+import { realpathSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
-import { converts, readCommand, type Command } from './cli-options.js';
+import { convertFile } from './cli-convert.js';
+import { inputName, standardStream } from './cli-formats.js';
+import { converts, readCommand, writes, type Command } from './cli-options.js';
+import { plan, type Task } from './cli-plan.js';
+import { ProgressLine } from './cli-progress.js';
 import { passesCheck, reportAsJson, reportAsText, type CliReport } from './cli-report.js';
 import { helpText } from './cli-table.js';
-import { KdManifoldError } from './errors.js';
-import type { Grid } from './grid.js';
-import { formatFromPath, namesAGrid } from './library.js';
+import type { KdManifold } from './library.js';
 import { load } from './load.js';
 
 const notManifold = 1;
 const badInput = 2;
 
-/** What the process printed and how it ended. */
-export interface Outcome {
-  status: number;
-  out: string;
-  err: string;
+const textOf = (error: unknown): string => (error instanceof Error ? error.message : String(error));
+
+// Prints one line on standard error. Messages may quote file names, which may hold any character.
+function say(message: string): void {
+  const line = Array.from(message, (c) => (c < ' ' ? ' ' : c)).join('');
+  process.stderr.write(`kdmanifold: ${line}\n`);
 }
 
-/** Runs the command line with these arguments. */
-export async function runCli(args: string[]): Promise<Outcome> {
-  let command: Command | undefined;
-  try {
-    command = readCommand(args);
-    const library = await load();
-    if (command.help) return { status: 0, out: helpText, err: '' };
-    if (command.version) return { status: 0, out: `kdmanifold ${library.version}\n`, err: '' };
-    const report = convertFile(library, command);
-    const { output, grid } = report.result ?? {};
-    const failed = command.check && output && grid && !passesCheck(output, grid.sheet);
-    return {
-      status: failed ? notManifold : 0,
-      out: command.json ? reportAsJson(report, command) : reportAsText(report, command),
-      err: '',
-    };
-  } catch (error) {
-    return {
-      status: badInput,
-      out: '',
-      err: `kdmanifold: ${oneLine(messageOf(error, command))}\n`,
-    };
+// Does the tasks one after the other, and remembers how they ended.
+class Run {
+  readonly #library: KdManifold;
+  readonly #command: Command;
+  readonly #tasks: Task[];
+  readonly #progress: ProgressLine;
+  readonly #list: object[] = []; // the reports of several inputs
+  #printed = 0; // reports for people
+  #failed = false;
+  #notManifold = false;
+
+  constructor(library: KdManifold, command: Command) {
+    this.#library = library;
+    this.#command = command;
+    this.#tasks = plan(command);
+    this.#progress = new ProgressLine(!command.report.quiet && process.stderr.isTTY);
   }
-}
 
-function convertFile(library: Awaited<ReturnType<typeof load>>, command: Command): CliReport {
-  const { input, output } = command;
-  // Refuses an unknown output format before the work rather than after it.
-  const outputFormat = output === undefined ? undefined : formatFromPath(output);
-  const report: CliReport = { seconds: { read: 0 }, peakBytes: 0 };
-  const { seconds } = report;
-  const lap = stopwatch();
-  let grid: Grid;
-  if (namesAGrid(input)) {
-    grid = library.loadGrid(readInput(input), input);
-    seconds.read = lap();
-    seconds.build = 0;
-  } else {
-    const inputFormat = formatFromPath(input);
-    const mesh = library.parseMesh(readInput(input), inputFormat, input);
-    seconds.read = lap();
-    if (command.stats) {
-      report.defects = library.analyze(mesh, { selfIntersections: true });
-      seconds.analyze = lap();
+  async finish(): Promise<number> {
+    const { report, files } = this.#command;
+    for (const [i, task] of this.#tasks.entries()) await this.#perform(task, i);
+    if (this.#several && report.json) this.#print(`${JSON.stringify(this.#list, null, 2)}\n`);
+    if (this.#printed > 0 && converts(this.#command) && !writes(files)) {
+      this.#print(
+        this.#several
+          ? '\nnothing was written: --out-dir DIR keeps the results\n'
+          : 'nothing was written: -o FILE keeps the result\n',
+      );
     }
-    if (!converts(command)) return { ...report, peakBytes: peakBytes() };
-    grid = library.buildGrid(mesh, command.build);
-    seconds.build = lap();
+    if (this.#failed) return badInput;
+    return this.#notManifold ? notManifold : 0;
   }
-  const { report: extracted, ...mesh } = grid.extract(command.extract);
-  seconds.extract = lap();
-  if (output !== undefined && outputFormat !== undefined) {
-    const exact = command.extract.strict === 'embedded';
-    writeWhole(output, library.formatMesh(mesh, outputFormat, { exact }));
+
+  get #several(): boolean {
+    return this.#tasks.length > 1;
   }
-  if (command.saveGrid !== undefined) writeWhole(command.saveGrid, grid.save());
-  if (output !== undefined || command.saveGrid !== undefined) seconds.write = lap();
-  const described = { ...library.describe(mesh), ...extracted };
-  const checked = command.check
-    ? { selfIntersections: library.findSelfIntersections(mesh).pairs }
-    : {};
-  report.result = {
-    input: grid.input,
-    grid: grid.stats,
-    output: { ...described, ...checked },
-  };
-  return { ...report, peakBytes: peakBytes() };
+
+  #print(text: string): void {
+    const { report, files } = this.#command;
+    if (report.quiet) return;
+    (files.output === standardStream ? process.stderr : process.stdout).write(text);
+  }
+
+  async #perform(task: Task, index: number): Promise<void> {
+    if (this.#several) this.#progress.begin(`${index + 1} of ${this.#tasks.length}: `);
+    try {
+      const report = await convertFile(this.#library, this.#command, task, this.#progress);
+      this.#progress.clear();
+      this.#tell(report, task);
+    } catch (error) {
+      this.#progress.clear();
+      say(textOf(error));
+      this.#failed = true;
+      this.#list.push({ file: task.input, error: textOf(error) });
+    }
+  }
+
+  #tell(report: CliReport, task: Task): void {
+    const options = this.#command.report;
+    if (!options.quiet) {
+      for (const note of report.notes) say(`${inputName(task.input)}: ${note}`);
+    }
+    if (!options.json) {
+      this.#print(`${this.#printed++ > 0 ? '\n' : ''}${reportAsText(report, this.#command, task)}`);
+    } else if (this.#several) {
+      this.#list.push({ file: task.input, ...reportAsJson(report, this.#command) });
+    } else {
+      this.#print(`${JSON.stringify(reportAsJson(report, this.#command), null, 2)}\n`);
+    }
+    const { output, grid } = report.result ?? {};
+    if (options.check && output && grid && !passesCheck(output, grid.sheet)) {
+      this.#notManifold = true;
+    }
+  }
 }
 
-const peakBytes = (): number => process.resourceUsage().maxRSS * 1024;
-
-function stopwatch(): () => number {
-  let last = performance.now();
-  return () => {
-    const now = performance.now();
-    const seconds = (now - last) / 1000;
-    last = now;
-    return seconds;
-  };
-}
-
-function readInput(path: string): Uint8Array {
+/** Runs the command line with these arguments; returns the exit status. */
+export async function runCli(args: string[]): Promise<number> {
+  // Who does not read what is printed any more need not be told.
+  process.stdout.on('error', () => {});
+  process.stderr.on('error', () => {});
   try {
-    return readFileSync(path);
+    const command = readCommand(args);
+    if (command.answer === 'help') {
+      process.stdout.write(helpText);
+      return 0;
+    }
+    const library = await load();
+    if (command.answer === 'version') {
+      process.stdout.write(`kdmanifold ${library.version}\n`);
+      return 0;
+    }
+    return await new Run(library, command).finish();
   } catch (error) {
-    throw new KdManifoldError('IO_ERROR', `${path}: cannot be read: ${reasonOf(error)}`);
+    say(textOf(error));
+    return badInput;
   }
 }
-
-// Writes under another name first, so that the file appears complete or not at all.
-function writeWhole(path: string, content: Uint8Array): void {
-  const temporary = `${path}.${process.pid}.part`;
-  try {
-    writeFileSync(temporary, content);
-    renameSync(temporary, path);
-  } catch (error) {
-    rmSync(temporary, { force: true });
-    throw new KdManifoldError('IO_ERROR', `${path}: cannot be written: ${reasonOf(error)}`);
-  }
-}
-
-const reasonOf = (error: unknown): string =>
-  (error as NodeJS.ErrnoException).code ?? (error as Error).message;
-
-// Errors of reading and writing name the file already, and errors in the arguments name the argument.
-function messageOf(error: unknown, command: Command | undefined): string {
-  const message = error instanceof Error ? error.message : String(error);
-  const named =
-    command === undefined ||
-    message.startsWith(command.input) ||
-    (error as KdManifoldError).code === 'IO_ERROR';
-  return named ? message : `${command.input}: ${message}`;
-}
-
-const oneLine = (text: string): string =>
-  Array.from(text, (c) => (c < ' ' ? ' ' : c))
-    .join('')
-    .trim();
 
 if (
   process.argv[1] !== undefined &&
   realpathSync(process.argv[1]) === fileURLToPath(import.meta.url)
 ) {
-  const { status, out, err } = await runCli(process.argv.slice(2));
-  process.stdout.write(out);
-  process.stderr.write(err);
-  process.exitCode = status;
+  process.exitCode = await runCli(process.argv.slice(2));
 }

@@ -6,7 +6,7 @@ export type OptionSpec = {
   /** As it is typed on the command line. */
   flag: string;
 } & (
-  | { kind: 'choice'; words: readonly string[]; default: string }
+  | { kind: 'choice'; words: readonly string[]; default?: string }
   | NumberSpec
   | { kind: 'boolean'; default: boolean }
   | { kind: 'text'; shortName?: string }

@@ -120,8 +120,9 @@ export interface ExtractOptions {
    */
   strict?: 'off' | 'manifold' | 'embedded';
   /**
-   * Give the corners of faces normals for shading (of the files, OBJ has them). Unit normals, from
-   * the input's normals at the hits. Vertices on a crease are not doubled. Default false.
+   * Give the corners of faces normals for shading (of the files, OBJ and GLB have them). Unit
+   * normals, from the input's normals at the hits. Vertices on a crease are not doubled. Default
+   * false.
    */
   normals?: boolean;
   /**

@@ -244,8 +244,9 @@ void for_each_field(Options& options, Visit&& visit) {
   visit(OptionField{.name = "strict", .help = "what the result must be as an index mesh"},
         options.strict);
   visit(OptionField{.name = "normals",
-                    .help = "give the corners of faces normals for shading (of the files, OBJ has "
-                            "them)",
+                    .help =
+                        "give the corners of faces normals for shading (of the files, OBJ and GLB "
+                        "have them)",
                     .details = "Unit normals, from the input's normals at the hits. Vertices on a "
                                "crease are not doubled."},
         options.normals);

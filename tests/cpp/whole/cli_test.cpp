@@ -122,7 +122,10 @@ TEST_F(Cli, HelpListsTheOptions) {
     EXPECT_EQ(options, (std::set<std::string>{"--check",
                                               "--crease-angle",
                                               "--depth",
+                                              "--force",
+                                              "--format",
                                               "--help",
+                                              "--input-format",
                                               "--inside",
                                               "--json",
                                               "--largest-hole",
@@ -130,11 +133,13 @@ TEST_F(Cli, HelpListsTheOptions) {
                                               "--no-strict",
                                               "--no-unfold",
                                               "--normals",
+                                              "--out-dir",
                                               "--output",
                                               "--pairing",
                                               "--parts",
                                               "--position",
                                               "--quads",
+                                              "--quiet",
                                               "--relative-tolerance",
                                               "--save-grid",
                                               "--split-error",
@@ -316,8 +321,7 @@ TEST_F(Cli, ASavedGridIsAsGoodAsItsMesh) {
             "--tolerance: the grid in torus.kdgrid is built already");
   EXPECT_EQ(complaint("torus.ply --save-grid torus.bin"),
             "--save-grid: 'torus.bin' does not end in .kdgrid");
-  EXPECT_NE(complaint("missing.kdgrid").find("missing.kdgrid: cannot be opened"),
-            std::string::npos);
+  EXPECT_NE(complaint("missing.kdgrid").find("missing.kdgrid: cannot be read"), std::string::npos);
   std::ofstream(folder_ / "bad.kdgrid") << read("torus.kdgrid").substr(0, 1000);
   EXPECT_NE(complaint("bad.kdgrid -o c.obj").find("bad.kdgrid: byte 28"), std::string::npos);
 }
@@ -381,7 +385,7 @@ TEST_F(Cli, NormalsGoIntoObjFiles) {
   EXPECT_EQ(run("cube.obj -o a.obj" + kCoarse).status, 0);
   EXPECT_EQ(read("a.obj").find("vn "), std::string::npos);
   const auto normals = [this](const std::string& options) {
-    EXPECT_EQ(run("cube.obj -o a.obj --normals " + options + kCoarse).status, 0);
+    EXPECT_EQ(run("cube.obj -o a.obj --force --normals " + options + kCoarse).status, 0);
     const std::string text = read("a.obj");
     EXPECT_TRUE(std::regex_search(text, std::regex("\nf \\d+//\\d+ \\d+//\\d+ \\d+//\\d+\n")));
     int count = 0;
@@ -453,14 +457,16 @@ TEST_F(Cli, MistakesInTheArguments) {
             "--relative-tolerance: '-0.5' is no number from 0 on");
   EXPECT_NE(complaint("cube.obj --depth").find("--depth"), std::string::npos);
   EXPECT_NE(complaint("cube.obj --bogus").find("--bogus"), std::string::npos);
-  EXPECT_NE(complaint("cube.obj other.obj").find("other.obj"), std::string::npos);
+  EXPECT_EQ(
+      complaint("cube.obj other.obj -o out.obj"),
+      "-o: it takes the result of one input, but there are 2; --out-dir takes those of several");
   EXPECT_NE(complaint("cube.obj -o out.xyz").find("out.xyz: "), std::string::npos);
   EXPECT_NE(complaint("cube.obj -o no/such/out.obj").find("no/such/out.obj: "), std::string::npos);
 }
 
 TEST_F(Cli, SheetsPassTheCheckWithABoundary) {
   write("open.obj", shapes::open(shapes::icosphere(2)));
-  const std::string arguments = "open.obj -o out.ply --inside sheet --check";
+  const std::string arguments = "open.obj -o out.ply --force --inside sheet --check";
   const Json json = report(arguments);
   EXPECT_EQ(json["input"]["boundaryLoops"], 1);
   EXPECT_EQ(json["output"]["twoManifold"], false);
@@ -480,7 +486,7 @@ TEST_F(Cli, SheetsPassTheCheckWithABoundary) {
 }
 
 TEST_F(Cli, BadInputIsNamedAndLeavesNothing) {
-  EXPECT_EQ(complaint("none.obj -o out.obj").rfind("none.obj: cannot be opened", 0), 0u);
+  EXPECT_EQ(complaint("none.obj -o out.obj").rfind("none.obj: cannot be read", 0), 0u);
   EXPECT_EQ(complaint("none.txt -o out.obj").rfind("none.txt: ", 0), 0u);
   EXPECT_EQ(complaint("\"$(printf 'a\\nb')\".obj").rfind("a b.obj: ", 0), 0u);
 
@@ -505,12 +511,16 @@ TEST_F(Cli, AnOldOutputSurvivesFailure) {
   write("open.obj", shapes::open(shapes::cube()));
   complaint("open.obj -o out.obj --inside positive");
   EXPECT_EQ(read("out.obj"), "precious");
-  EXPECT_EQ(run("cube.obj -o out.obj" + kCoarse).status, 0);
+  EXPECT_EQ(complaint("cube.obj -o out.obj" + kCoarse),
+            "out.obj: it exists already; --force overwrites it");
+  EXPECT_EQ(read("out.obj"), "precious");
+  EXPECT_EQ(run("cube.obj -o out.obj --force" + kCoarse).status, 0);
   EXPECT_TRUE(check::is_two_manifold(mesh("out.obj")));
 }
 
 TEST_F(Cli, InputAndOutputMayBeTheSameFile) {
-  EXPECT_EQ(run("cube.obj -o cube.obj" + kCoarse).status, 0);
+  complaint("cube.obj -o cube.obj" + kCoarse);
+  EXPECT_EQ(run("cube.obj -o cube.obj --force" + kCoarse).status, 0);
   EXPECT_GT(mesh("cube.obj").triangles.size(), 12u);
 }
 

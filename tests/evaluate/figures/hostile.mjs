@@ -91,7 +91,11 @@ export default function hostile({ tools, folder }) {
     else text(path);
     const out = join(folder, 'result.obj');
     const looks = options.includes('--stats');
-    const args = [path, ...options, ...(looks ? [] : ['-o', out, '--relative-tolerance'])];
+    const args = [
+      path,
+      ...options,
+      ...(looks ? [] : ['-o', out, '--force', '--relative-tolerance']),
+    ];
     if (!looks) args.push(relativeTolerance);
     const started = performance.now();
     const { status, stderr, signal } = spawnSync(

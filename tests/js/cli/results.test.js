@@ -1,25 +1,20 @@
 // SPDX-License-Identifier: MIT
 // The two command lines, native and in Node: same options, same files, same report, same status.
-import { existsSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { load } from '../../dist/index.js';
-import { buildOptions, extractOptions } from '../../build/js/options.js';
-import { cube, faults, together, torus } from './support/meshes.js';
-import { execute, nativeCli, nodeCli, withFolder } from './support/paths.js';
-
-const programs = [
-  ['native', (args, options) => execute(nativeCli, args, options)],
-  ['Node', (args, options) => execute(process.execPath, [nodeCli, ...args], options)],
-];
-const both = (args, options) => programs.map(([, run]) => run(args, options));
+import { load } from '../../../dist/index.js';
+import { fileOptions, reportOptions } from '../../../build/js/cli-table.js';
+import { buildOptions, extractOptions } from '../../../build/js/options.js';
+import { cube, faults, together, torus } from '../support/meshes.js';
+import { both, programs, withoutNumbers, writeMesh } from '../support/programs.js';
+import { execute, nodeCli, withFolder } from '../support/paths.js';
 
 let kdm;
 beforeAll(async () => {
   kdm = await load();
 });
 
-const write = (path, mesh) =>
-  writeFileSync(path, kdm.formatMesh(mesh, path.slice(path.lastIndexOf('.') + 1)));
+const write = (path, mesh) => writeMesh(kdm, path, mesh);
 
 const keysOf = (value) =>
   value !== null && typeof value === 'object'
@@ -45,7 +40,7 @@ test.each(optionSets.map((set) => [set.join(' '), set]))(
     withFolder((folder) => {
       const input = join(folder, 'input.ply');
       write(input, together(torus(), cube(3, [2.5, 0.2, 0.1])));
-      for (const format of ['obj', 'stl', 'ply', 'off']) {
+      for (const format of ['obj', 'stl', 'ply', 'off', 'glb']) {
         const [native, node] = programs.map(([name, run]) => {
           const output = join(folder, `${name}.${format}`);
           const result = run([input, '-o', output, '--json', '--check', ...set]);
@@ -89,7 +84,7 @@ test('the text for people is the same but for times and sizes', () =>
     write(input, torus());
     const [native, node] = both([input, '--check']).map(({ status, stdout }) => {
       expect(status).toBe(0);
-      return stdout.replace(/\d+\.\d+/g, '#');
+      return withoutNumbers(stdout);
     });
     expect(node).toBe(native);
     expect(node).toContain('2-manifold');
@@ -119,81 +114,6 @@ test('a raw surface that is not 2-manifold: --check says so, status 1, file writ
     }
   }));
 
-const broken = {
-  'open.obj': 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n',
-  'malformed.obj': 'v 0 0 0\nv 1 zero 0\n',
-  'range.obj': 'v 0 0 0\nf 1 2 9\n',
-  'empty.obj': '',
-  'cut.ply': 'ply\nformat binary_little_endian 1.0\nelement vertex 5\n',
-  'nonsense.stl': 'hello',
-  'short.off': 'OFF\n4 4 0\n0 0 0\n',
-  'model.step': 'ISO-10303-21;',
-};
-
-test.each(Object.entries(broken))('bad input %s: status 2, one line, no file', (name, content) =>
-  withFolder((folder) => {
-    writeFileSync(join(folder, name), content);
-    for (const { status, stdout, stderr } of both([name, '-o', 'out.obj'], { cwd: folder })) {
-      expect({ status, stdout }).toEqual({ status: 2, stdout: '' });
-      expect(stderr).toMatch(/^kdmanifold: [^\n]+\n$/);
-      expect(stderr).toContain(name);
-    }
-    expect(readdirSync(folder)).toEqual([name]);
-  }),
-);
-
-test('bad input: both say the same', () =>
-  withFolder((folder) => {
-    for (const [name, content] of Object.entries(broken)) {
-      writeFileSync(join(folder, name), content);
-      const [native, node] = both([name], { cwd: folder });
-      expect(node.stderr).toBe(native.stderr);
-    }
-  }));
-
-const wrong = [
-  [[], /INPUT/i],
-  [['missing.obj'], /missing\.obj/],
-  [['a.obj', '--depth', '0'], /--depth.*1 to 60/],
-  [['a.obj', '--depth', 'deep'], /--depth.*'deep'/],
-  [['a.obj', '--strategy', 'best'], /--strategy.*'best'/],
-  [['a.obj', '--tolerance=-1'], /--tolerance.*'-1'/],
-  [['a.obj', '--tolerance', 'inf'], /--tolerance.*'inf'/],
-  [['a.obj', '--unheard-of'], /--unheard-of/],
-  [['a.obj', '-o', 'out.step'], /out\.step/],
-  [['a.obj', '-o', 'no/such/folder/out.obj'], /no\/such\/folder/],
-  [['a.obj', '--depth'], /--depth/],
-  [['a.obj', '--crease-angle', '180.5'], /--crease-angle: '180\.5' is no number from 0 to 180/],
-  [['a.obj', '--save-grid', 'grid.obj'], /--save-grid: 'grid\.obj' does not end in \.kdgrid/],
-  [['a.kdgrid', '--pairing', 'trace', '--depth=9'], /--depth: the grid in a\.kdgrid is built/],
-  [['no.kdgrid'], /no\.kdgrid: cannot be/],
-  [['a.kdgrid', '--stats'], /--stats: a\.kdgrid is a grid, which has no faces/],
-];
-
-test.each(wrong.map(([args, message]) => [args.join(' '), args, message]))(
-  'wrong arguments "%s": status 2, one line, no file',
-  (_, args, message) =>
-    withFolder((folder) => {
-      write(join(folder, 'a.obj'), cube());
-      for (const { status, stdout, stderr } of both(args, { cwd: folder })) {
-        expect({ status, stdout }).toEqual({ status: 2, stdout: '' });
-        expect(stderr).toMatch(/^kdmanifold: [^\n]+\n$/);
-        expect(stderr).toMatch(message);
-      }
-      expect(readdirSync(folder)).toEqual(['a.obj']);
-    }),
-);
-
-test('an existing file is kept when the new one cannot be made', () =>
-  withFolder((folder) => {
-    writeFileSync(join(folder, 'bad.obj'), broken['malformed.obj']);
-    writeFileSync(join(folder, 'out.obj'), 'precious');
-    for (const { status } of both(['bad.obj', '-o', 'out.obj'], { cwd: folder })) {
-      expect(status).toBe(2);
-      expect(readFileSync(join(folder, 'out.obj'), 'utf8')).toBe('precious');
-    }
-  }));
-
 test('a saved grid is the same file from both, and is read by both', () =>
   withFolder((folder) => {
     write(join(folder, 'a.obj'), torus());
@@ -209,7 +129,8 @@ test('a saved grid is the same file from both, and is read by both', () =>
     // Each reads what the other has written.
     const loaded = programs.map(([, run], i) => {
       const other = programs[1 - i][0];
-      const result = run([`${other}.kdgrid`, '-o', 'again.ply', '--check'], { cwd: folder });
+      const args = [`${other}.kdgrid`, '-o', 'again.ply', '--force', '--check'];
+      const result = run(args, { cwd: folder });
       expect(result).toMatchObject({ status: 0, stderr: '' });
       expect(readFileSync(join(folder, 'again.ply')).equals(direct)).toBe(true);
       return result.stdout.replaceAll(other, '').replace(/\d+\.\d+/g, '#');
@@ -239,7 +160,7 @@ test('--stats describes what cannot be built from, in both alike', () =>
       genus: 1,
     });
     const texts = both(['open.ply', '--stats'], { cwd: folder }).map(({ stdout }) =>
-      stdout.replace(/\d+\.\d+/g, '#'),
+      withoutNumbers(stdout),
     );
     expect(texts[1]).toBe(texts[0]);
     expect(texts[0]).toContain('defects  3 open edges, 1 boundary loops, ');
@@ -249,7 +170,7 @@ test('--stats describes what cannot be built from, in both alike', () =>
 test('--stats with an output does both', () =>
   withFolder((folder) => {
     write(join(folder, 'a.obj'), cube());
-    const args = ['a.obj', '--stats', '--check', '-o', 'b.obj'];
+    const args = ['a.obj', '--stats', '--check', '-o', 'b.obj', '--force'];
     const [native, node] = both([...args, '--json'], { cwd: folder }).map(({ status, stdout }) => {
       expect(status).toBe(0);
       return JSON.parse(stdout);
@@ -258,7 +179,7 @@ test('--stats with an output does both', () =>
     expect(Object.keys(node.seconds)).toEqual(['read', 'analyze', 'build', 'extract', 'write']);
     expect(node.defects).toEqual(native.defects);
     expect(node.defects).toMatchObject({ boundaryEdges: 0, selfIntersections: 0, volume: 8 });
-    const texts = both(args, { cwd: folder }).map(({ stdout }) => stdout.replace(/\d+\.\d+/g, '#'));
+    const texts = both(args, { cwd: folder }).map(({ stdout }) => withoutNumbers(stdout));
     expect(texts[1]).toBe(texts[0]);
     expect(texts[0]).toContain('defects  none\n');
   }));
@@ -270,13 +191,9 @@ test('--help lists the same options in both, and they are those of the interface
   });
   expect(names[1]).toEqual(names[0]);
   const own = [
-    '--check',
+    ...Object.values({ ...fileOptions, ...reportOptions }).map(({ flag }) => flag),
     '--help',
-    '--json',
     '--no-strict',
-    '--output',
-    '--save-grid',
-    '--stats',
     '--version',
   ];
   const fromTable = Object.values({ ...buildOptions, ...extractOptions }).map(({ flag }) => flag);
