@@ -31,7 +31,13 @@ beforeAll(() => {
     npm(['pack', '--json', '--ignore-scripts', '--pack-destination', folder], root),
   );
   writeFileSync(join(folder, 'package.json'), '{ "private": true, "type": "module" }');
-  npm(['install', '--offline', '--no-audit', '--no-fund', join(folder, packed.filename)], folder);
+  // What npm would fetch besides.
+  const besides = ['@gltf-transform/core', 'property-graph'].map((name) => {
+    const args = ['pack', '--json', '--ignore-scripts', '--pack-destination', folder];
+    return JSON.parse(npm([...args, join(root, 'node_modules', name)], root))[0].filename;
+  });
+  const archives = [packed.filename, ...besides].map((name) => join(folder, name));
+  npm(['install', '--offline', '--no-audit', '--no-fund', ...archives], folder);
 }, 120_000);
 
 afterAll(() => rmSync(folder, { recursive: true, force: true }));
@@ -76,6 +82,13 @@ test('its command line runs through npx', () => {
   );
   expect(status).toBe(0);
   expect(JSON.parse(stdout).output.twoManifold).toBe(true);
+  for (const args of [
+    ['b.stl', '-o', 'c.glb'],
+    ['c.glb', '-o', 'd.obj', '--check'],
+  ]) {
+    const made = execute('npx', ['--offline', 'kdmanifold', ...args], { cwd: folder });
+    expect(made).toMatchObject({ status: 0, stderr: '' });
+  }
 });
 
 test('runs on a plain page under a strict content-security policy, in a worker', async () => {
