@@ -66,7 +66,7 @@ export const builders = {
     cmake('build/wasm', ['CMAKE_BUILD_TYPE=Release', 'KDM_BUILD_WASM=ON'], {
       wrapper: ['emcmake'],
       env: emscriptenEnvironment(),
-      targets: ['kdm_wasm'],
+      targets: ['kdm_wasm', 'kdm_wasm_tools'],
     });
   },
   /** The wrapper, file by file, with the module: for what the package is made of, and for tests of its parts. */
@@ -74,8 +74,10 @@ export const builders = {
     builders.wasm();
     rmSync(`${root}/build/js`, { recursive: true, force: true });
     tool('tsc', ['-p', 'tsconfig.build.json']);
-    for (const name of ['kdmanifold.js', 'kdmanifold.wasm']) {
-      copyFileSync(`${root}/build/wasm/wasm/${name}`, `${root}/build/js/${name}`);
+    for (const module of ['kdmanifold', 'kdmanifold-tools']) {
+      for (const name of [`${module}.js`, `${module}.wasm`]) {
+        copyFileSync(`${root}/build/wasm/wasm/${name}`, `${root}/build/js/${name}`);
+      }
     }
   },
   /** From nothing, so that no file stays in the package whose source is gone. */

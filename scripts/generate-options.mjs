@@ -44,10 +44,10 @@ export async function generate(description, readme) {
         partKeys(description.reports.MeshPart),
       ].join('\n'),
     ),
-    'web/src/cli-table.ts': await typescript(
+    'web/src/cli/table.ts': await typescript(
       [
         head('The command line.'),
-        `import type { OptionSpec } from './option-spec.js';\n`,
+        `import type { OptionSpec } from '../option-spec.js';\n`,
         optionTable('fileOptions: Record<string, OptionSpec>', files),
         optionTable('reportOptions: Record<string, OptionSpec>', report),
         `/** What --help prints. */\nexport const helpText = [\n${description.help

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What the module exports, and nothing else.
+// What the main module exports, and nothing else: all that making a manifold takes.
 #include <emscripten/bind.h>
 
+#include "instance.h"
 #include "module.h"
 
 EMSCRIPTEN_BINDINGS(kdmanifold) {
@@ -13,9 +14,6 @@ EMSCRIPTEN_BINDINGS(kdmanifold) {
       .function("input", &kdm::wasm::grid_input);
   function("buildGrid", &kdm::wasm::build_grid);
   function("loadGrid", &kdm::wasm::load_grid);
-  function("parseMesh", &kdm::wasm::parse_mesh);
-  function("formatMesh", &kdm::wasm::format_mesh);
-  function("analyze", &kdm::wasm::analyze);
   function("thicken", &kdm::wasm::thicken);
   function("describe", &kdm::wasm::describe);
   function("findSelfIntersections", &kdm::wasm::find_self_intersections);

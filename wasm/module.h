@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The functions that the wrapper calls: each takes its arguments over from JavaScript, calls the
+// The functions of the main module: each takes its arguments over from JavaScript, calls the
 // library and returns what `guard` makes of the result.
 #pragma once
-
-#include <malloc.h>
-
-#include <emscripten/heap.h>
 
 #include "fields.h"
 #include "kdmanifold/kdmanifold.h"
@@ -53,45 +49,12 @@ inline val grid_stats(const Grid& grid) { return from_report(grid.stats()); }
 
 inline val grid_input(const Grid& grid) { return from_report(grid.input()); }
 
-// Positions stay 64-bit, as the native command line has them: both make the same grid.
-inline val parse_mesh(val bytes, val format, std::string name) {
-  return guard([&] {
-    return from_mesh(
-        kdm::parse_mesh(to_bytes(bytes), to_choice<MeshFormat>(format, "format"), name),
-        "Float64Array");
-  });
-}
-
-inline val format_mesh(val mesh, val format, bool exact) {
-  return guard([&] {
-    return from_bytes(kdm::format_mesh(to_mesh(mesh), to_choice<MeshFormat>(format, "format"),
-                                       exact ? Digits::kExact : Digits::kShortest));
-  });
-}
-
 inline val find_self_intersections(val mesh) {
   return guard([&] { return from_report(kdm::find_self_intersections(to_mesh(mesh))); });
-}
-
-inline val analyze(val mesh, val options) {
-  return guard([&] {
-    return from_defects(kdm::analyze(to_mesh(mesh), to_options<AnalyzeOptions>(options)));
-  });
 }
 
 inline val describe(val mesh) {
   return guard([&] { return from_report(kdm::describe(to_mesh(mesh))); });
 }
-
-/// Returns the bytes of the heap, which never shrinks (so it is the most that was ever needed), and
-/// the bytes in use.
-inline val memory() {
-  val to = val::object();
-  to.set("heapBytes", emscripten_get_heap_size());
-  to.set("usedBytes", static_cast<std::size_t>(mallinfo().uordblks));
-  return to;
-}
-
-inline std::string version() { return KDM_VERSION; }
 
 }  // namespace kdm::wasm

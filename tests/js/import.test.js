@@ -69,5 +69,32 @@ test('size budget: what a page has to fetch, zipped', () => {
   expect(filesOf(parts['making manifolds'], dist)).toEqual(
     expect.arrayContaining(['index.js', 'kdmanifold-worker.js', 'kdmanifold.wasm']),
   );
-  expect(size('making manifolds')).toBeLessThan(310_000);
+  expect(size('making manifolds')).toBeLessThan(250_000);
+  expect(size('tools')).toBeLessThan(100_000);
+});
+
+const { WebAssembly } = globalThis;
+
+const functionsOf = async (name) => {
+  const { default: createModule } = await import(`${root}/build/js/${name}.js`);
+  const bytes = readFileSync(join(root, `build/js/${name}.wasm`));
+  const module = await createModule({
+    instantiateWasm(imports, receive) {
+      WebAssembly.instantiate(bytes, imports).then(({ instance }) => receive(instance));
+      return {};
+    },
+  });
+  return Object.keys(module).filter((key) => /^[a-z]+([A-Z][a-z]+)*$/.test(key));
+};
+
+test('each module exports its functions', async () => {
+  expect(await functionsOf('kdmanifold')).toEqual(
+    expect.arrayContaining([
+      ...['buildGrid', 'loadGrid', 'thicken', 'describe', 'findSelfIntersections'],
+      ...['memory', 'version'],
+    ]),
+  );
+  expect(await functionsOf('kdmanifold-tools')).toEqual(
+    expect.arrayContaining(['parseMesh', 'formatMesh', 'analyze', 'memory', 'version']),
+  );
 });

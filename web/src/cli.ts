@@ -4,13 +4,13 @@
 // 0: done; 1: --check found an output not 2-manifold; 2: bad input or option, one line of error each.
 import { realpathSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
-import { convertFile } from './cli-convert.js';
-import { inputName, standardStream } from './cli-formats.js';
-import { converts, readCommand, writes, type Command } from './cli-options.js';
-import { plan, type Task } from './cli-plan.js';
-import { ProgressLine } from './cli-progress.js';
-import { passesCheck, reportAsJson, reportAsText, type CliReport } from './cli-report.js';
-import { helpText } from './cli-table.js';
+import { convertFile } from './cli/convert.js';
+import { inputName, standardStream } from './cli/formats.js';
+import { converts, readCommand, writes, type Command } from './cli/options.js';
+import { plan, type Task } from './cli/plan.js';
+import { ProgressLine } from './cli/progress.js';
+import { passesCheck, reportAsJson, reportAsText, type CliReport } from './cli/report.js';
+import { helpText } from './cli/table.js';
 import type { KdManifold } from './library.js';
 import { load } from './load.js';
 

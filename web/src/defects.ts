@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The answer of `analyze`, made of flat arrays.
-import type { RawDefects } from './kdmanifold.js';
+import type { RawDefects } from './kdmanifold-tools.js';
 import { partKeys, type MeshDefects, type MeshPart } from './reports.js';
 
 /** Makes arrays of the loops and objects of the parts. */

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Starts an instance of a compiled module, with memory of its own.
-import type createModule from './kdmanifold.js';
-import type { RawModule } from './kdmanifold.js';
+import type { CreateModule } from './kdmanifold.js';
 
 /** @internal Starts the module with the glue that belongs to it. */
-export function instantiate(
-  create: typeof createModule,
+export function instantiate<Raw>(
+  create: CreateModule<Raw>,
   module: WebAssembly.Module,
-): Promise<RawModule> {
+): Promise<Raw> {
   return new Promise((resolve, reject) => {
     create({
       instantiateWasm(imports, receive) {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The types of what Emscripten generates from wasm/bindings.cpp. Only library.ts and grid.ts see it.
+// The types of what Emscripten generates from wasm/bindings.cpp. Only library.ts and grid.ts see them.
 import type { ErrorCode } from './errors.js';
 import type {
   ExtractedMesh,
   GridStats,
   InputReport,
-  MeshDefects,
   MeshReport,
   ParsedMesh,
   PolygonMeshInput,
@@ -26,31 +25,22 @@ export interface RawGrid {
   delete(): void;
 }
 
-/** What the wrapper makes `boundaryLoops` and `parts` of. */
-export interface RawDefects extends Omit<MeshDefects, 'boundaryLoops' | 'parts'> {
-  /** The loops one after the other, and where each ends. */
-  loopVertices: Uint32Array<ArrayBuffer>;
-  loopEnds: Uint32Array<ArrayBuffer>;
-  /** All fields of each part, as `partKeys` lists them; flags are 0 or 1, NaN stands for null. */
-  partNumbers: Float64Array<ArrayBuffer>;
-}
-
-export interface RawModule {
-  buildGrid(mesh: PolygonMeshInput, options: object, progress: RawProgress): Answer<RawGrid>;
-  loadGrid(bytes: Uint8Array, name: string): Answer<RawGrid>;
-  parseMesh(bytes: Uint8Array, format: string, name: string): Answer<ParsedMesh>;
-  formatMesh(
-    mesh: PolygonMeshInput,
-    format: string,
-    exact: boolean,
-  ): Answer<Uint8Array<ArrayBuffer>>;
-  analyze(mesh: PolygonMeshInput, options: object): Answer<RawDefects>;
-  thicken(mesh: PolygonMeshInput, thickness: number): Answer<ParsedMesh>;
-  describe(mesh: PolygonMeshInput): Answer<MeshReport>;
-  findSelfIntersections(mesh: PolygonMeshInput): Answer<SelfIntersections>;
+/** What every module says about itself. */
+export interface RawInstance {
   memory(): { heapBytes: number; usedBytes: number };
   version(): string;
 }
+
+export interface RawModule extends RawInstance {
+  buildGrid(mesh: PolygonMeshInput, options: object, progress: RawProgress): Answer<RawGrid>;
+  loadGrid(bytes: Uint8Array, name: string): Answer<RawGrid>;
+  thicken(mesh: PolygonMeshInput, thickness: number): Answer<ParsedMesh>;
+  describe(mesh: PolygonMeshInput): Answer<MeshReport>;
+  findSelfIntersections(mesh: PolygonMeshInput): Answer<SelfIntersections>;
+}
+
+/** Makes an instance of a module; the glue's default export. */
+export type CreateModule<Raw> = (settings: ModuleSettings) => Promise<Raw>;
 
 export interface ModuleSettings {
   instantiateWasm(
@@ -61,4 +51,5 @@ export interface ModuleSettings {
   printErr?(text: string): void;
 }
 
-export default function createModule(settings: ModuleSettings): Promise<RawModule>;
+declare const createModule: CreateModule<RawModule>;
+export default createModule;

@@ -10,6 +10,7 @@ import {
 import { toDefects } from './defects.js';
 import { KdManifoldError } from './errors.js';
 import { Grid } from './grid.js';
+import type { RawTools } from './kdmanifold-tools.js';
 import type { RawGrid, RawModule } from './kdmanifold.js';
 import type { OwnUint8Array } from './outside-types.js';
 import type {
@@ -58,6 +59,8 @@ export function namesAGrid(path: string): boolean {
 /** The library, loaded: everything happens on the calling thread and is done when it returns. */
 export class KdManifold {
   readonly #raw: RawModule;
+  #tools: RawTools | null = null;
+  #lack: Error | null = null;
   readonly #health: Health = { broken: false };
   readonly #registry = new FinalizationRegistry<RawGrid>((raw) => {
     if (!this.#health.broken) raw.delete();
@@ -70,6 +73,30 @@ export class KdManifold {
 
   private constructor(raw: RawModule) {
     this.#raw = raw;
+  }
+
+  /** @internal Whether file formats and `analyze` are there. */
+  get hasTools(): boolean {
+    return this.#tools !== null;
+  }
+
+  /** @internal Lets file formats and `analyze` be there. */
+  takeTools(tools: RawTools): void {
+    this.#tools = tools;
+  }
+
+  /** @internal Says why they are not. */
+  lackTools(reason: Error): void {
+    this.#lack = reason;
+  }
+
+  #demandTools(): RawTools {
+    if (this.#tools !== null) return this.#tools;
+    if (this.#lack !== null) throw this.#lack;
+    throw new KdManifoldError(
+      'LOAD_FAILED',
+      'file formats and analyze were not asked for: load() without tools: false has them',
+    );
   }
 
   /** @internal Whether a trap has made this instance unusable. */
@@ -153,9 +180,10 @@ export class KdManifold {
    * ```
    */
   analyze(mesh: PolygonMeshInput, options: AnalyzeOptions = {}): MeshDefects {
+    const tools = this.#demandTools();
     const checked = checkAnalyzeOptions(options);
     const input = checkPolygonMesh(mesh);
-    return toDefects(call(this.#health, undefined, () => this.#raw.analyze(input, checked)));
+    return toDefects(call(this.#health, undefined, () => tools.analyze(input, checked)));
   }
 
   /**
@@ -248,10 +276,11 @@ export class KdManifold {
     format: MeshFormat,
     name = 'input',
   ): ParsedMesh {
+    const tools = this.#demandTools();
     checkFormat(format);
     const bytes =
       typeof content === 'string' ? new TextEncoder().encode(content) : bytesOf(content);
-    return call(this.#health, undefined, () => this.#raw.parseMesh(bytes, format, name));
+    return call(this.#health, undefined, () => tools.parseMesh(bytes, format, name));
   }
 
   /**
@@ -278,9 +307,10 @@ export class KdManifold {
     format: MeshFormat,
     { exact = false }: { exact?: boolean } = {},
   ): OwnUint8Array {
+    const tools = this.#demandTools();
     checkFormat(format);
     const input = checkPolygonMesh(mesh);
-    return call(this.#health, undefined, () => this.#raw.formatMesh(input, format, exact));
+    return call(this.#health, undefined, () => tools.formatMesh(input, format, exact));
   }
 
   /**
@@ -296,7 +326,9 @@ export class KdManifold {
    * ```
    */
   memory(): { heapBytes: number; usedBytes: number } {
-    return this.#raw.memory();
+    const { heapBytes, usedBytes } = this.#raw.memory();
+    const tools = this.#tools?.memory() ?? { heapBytes: 0, usedBytes: 0 };
+    return { heapBytes: heapBytes + tools.heapBytes, usedBytes: usedBytes + tools.usedBytes };
   }
 }
 

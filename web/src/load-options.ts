@@ -12,6 +12,15 @@ export interface LoadOptions {
    * A relative one is relative to the page, in Node to the working directory.
    */
   wasmUrl?: Address;
+  /** The content of `kdmanifold-tools.wasm`, which has file formats and `analyze`, or the compiled module. */
+  toolsWasmBinary?: ArrayBuffer | ArrayBufferView | CompiledModule;
+  /** The address of `kdmanifold-tools.wasm`. */
+  toolsWasmUrl?: Address;
+  /**
+   * `load`: whether to fetch the tools, too. True, the default: they are there, or calling them says why not;
+   * `makeManifold` never needs them.
+   */
+  tools?: boolean;
 }
 
 /** Where conversions are done. */
@@ -28,10 +37,19 @@ export interface WorkerOptions {
 }
 
 /** The names of these options. */
-export const sourceKeys = ['wasmBinary', 'wasmUrl', 'workerUrl', 'worker', 'concurrency'] as const;
+export const sourceKeys = [
+  'wasmBinary',
+  'wasmUrl',
+  'toolsWasmBinary',
+  'toolsWasmUrl',
+  'tools',
+  'workerUrl',
+  'worker',
+  'concurrency',
+] as const;
 
 /** @internal All of them, checked. */
-export type Source = LoadOptions & WorkerOptions & { concurrency: number };
+export type Source = LoadOptions & WorkerOptions & { concurrency: number; tools: boolean };
 
 const refuse = (name: string, expected: string): never => {
   throw new KdManifoldError('INVALID_OPTION', `${name}: expected ${expected}`);
@@ -42,12 +60,18 @@ const isAddress = (value: unknown): boolean =>
 
 /** @internal Checks and returns the options that say where from. */
 export function checkSource(options: LoadOptions & WorkerOptions): Source {
-  const { wasmBinary, wasmUrl, workerUrl, worker, concurrency = 1 } = options;
-  if (wasmUrl !== undefined && !isAddress(wasmUrl)) refuse('wasmUrl', 'a string or a URL');
-  if (workerUrl !== undefined && !isAddress(workerUrl)) refuse('workerUrl', 'a string or a URL');
-  if (wasmBinary !== undefined && !isBinary(wasmBinary)) {
-    refuse('wasmBinary', 'an ArrayBuffer, a typed array or a WebAssembly.Module');
+  const { worker, concurrency = 1, tools = true } = options;
+  for (const name of ['wasmUrl', 'toolsWasmUrl', 'workerUrl'] as const) {
+    const value = options[name];
+    if (value !== undefined && !isAddress(value)) refuse(name, 'a string or a URL');
   }
+  for (const name of ['wasmBinary', 'toolsWasmBinary'] as const) {
+    const value = options[name];
+    if (value !== undefined && !isBinary(value)) {
+      refuse(name, 'an ArrayBuffer, a typed array or a WebAssembly.Module');
+    }
+  }
+  if (typeof tools !== 'boolean') refuse('tools', 'true or false');
   if (worker !== undefined && worker !== false && !isWorker(worker)) {
     refuse('worker', 'a Worker, a function that starts one, or false');
   }
@@ -57,7 +81,17 @@ export function checkSource(options: LoadOptions & WorkerOptions): Source {
   if (concurrency > 1 && typeof worker === 'object') {
     refuse('worker', `a function that starts workers, as concurrency is ${concurrency}`);
   }
-  return { wasmBinary, wasmUrl, workerUrl, worker, concurrency };
+  const { wasmBinary, wasmUrl, toolsWasmBinary, toolsWasmUrl, workerUrl } = options;
+  return {
+    wasmBinary,
+    wasmUrl,
+    toolsWasmBinary,
+    toolsWasmUrl,
+    tools,
+    workerUrl,
+    worker,
+    concurrency,
+  };
 }
 
 function isBinary(value: unknown): boolean {

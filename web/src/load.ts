@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The library on the calling thread, and the compiled module that it shares with the workers.
 import { instantiate } from './instantiate.js';
-// Not fetched later on its own: workers in the form of classic scripts cannot.
+// Neither glue is fetched later on its own: workers in the form of classic scripts cannot.
+import createTools from './kdmanifold-tools.js';
 import createModule from './kdmanifold.js';
 import { KdManifold } from './library.js';
 import { checkSource, type LoadOptions } from './load-options.js';
-import { compileFile } from './wasm-file.js';
+import { compileFile, type WasmFile } from './wasm-file.js';
 
-let compiled: Promise<WebAssembly.Module> | undefined;
+const compiled = new Map<WasmFile, Promise<WebAssembly.Module>>();
 let loaded: Promise<KdManifold> | undefined;
 let current: KdManifold | undefined;
 
@@ -15,7 +16,7 @@ let current: KdManifold | undefined;
  * Loads the library onto the calling thread. The first call decides where from; later ones give the
  * same object, until `close`.
  *
- * @param options - where the WebAssembly file comes from, if not from beside the package's files
+ * @param options - where the WebAssembly files come from, if not from beside the package's files
  * @returns the library; its functions are done when they return
  * @throws {@link KdManifoldError} with `LOAD_FAILED`, whose message says what to do; the next call tries again
  *
@@ -30,6 +31,17 @@ let current: KdManifold | undefined;
  */
 export async function load(options: LoadOptions = {}): Promise<KdManifold> {
   const source = checkSource(options);
+  const [library] = await Promise.all([loadMain(source), source.tools && compileTools(source)]);
+  if (source.tools && !library.hasTools) {
+    const tools = await compileTools(source);
+    if (tools instanceof Error) library.lackTools(tools);
+    else library.takeTools(await instantiate(createTools, tools));
+  }
+  return library;
+}
+
+/** @internal The same without file formats and `analyze`. */
+export function loadMain(source: LoadOptions): Promise<KdManifold> {
   if (current?.broken) loaded = current = undefined;
   loaded ??= start(source).catch((error: unknown) => {
     loaded = undefined;
@@ -39,21 +51,30 @@ export async function load(options: LoadOptions = {}): Promise<KdManifold> {
 }
 
 async function start(source: LoadOptions): Promise<KdManifold> {
-  const module = await compile(source);
-  current = KdManifold.of(await instantiate(createModule, module));
+  current = KdManifold.of(await instantiate(createModule, await compile(source)));
   return current;
 }
 
-/** @internal Compiles the module, once; workers are given the result. */
-export function compile(source: LoadOptions): Promise<WebAssembly.Module> {
-  const compiling = (compiled ??= compileFile(source));
-  compiling.catch(() => {
-    if (compiled === compiling) compiled = undefined;
-  });
+/** @internal Compiles the main module, once; workers are given the result. */
+export const compile = (source: LoadOptions): Promise<WebAssembly.Module> =>
+  compileOnce('kdmanifold.wasm', source);
+
+/** The module of tools, or why there is none: who converts only can do without. */
+const compileTools = (source: LoadOptions): Promise<WebAssembly.Module | Error> =>
+  compileOnce('kdmanifold-tools.wasm', source).catch((error: unknown) => error as Error);
+
+function compileOnce(file: WasmFile, source: LoadOptions): Promise<WebAssembly.Module> {
+  let compiling = compiled.get(file);
+  if (compiling === undefined) {
+    compiling = compileFile(file, source);
+    compiled.set(file, compiling);
+    compiling.catch(() => compiled.delete(file));
+  }
   return compiling;
 }
 
-/** @internal Forgets the instance and the compiled module, so that their memory is given back once nobody holds them. */
+/** @internal Forgets instances and compiled modules, so that their memory is given back once nobody holds them. */
 export function unload(): void {
-  compiled = loaded = current = undefined;
+  compiled.clear();
+  loaded = current = undefined;
 }

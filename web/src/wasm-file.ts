@@ -5,26 +5,49 @@ import { KdManifoldError } from './errors.js';
 import type { LoadOptions } from './load-options.js';
 import { movedAddress, nodeAddress } from './package-address.js';
 
-const file = 'kdmanifold.wasm';
+/** @internal The names of the files. */
+export type WasmFile = 'kdmanifold.wasm' | 'kdmanifold-tools.wasm';
 
-/** @internal Compiles the file; rejects with `LOAD_FAILED`. */
-export async function compileFile(options: LoadOptions): Promise<WebAssembly.Module> {
+/** @internal Compiles a file; rejects with `LOAD_FAILED`. */
+export async function compileFile(
+  file: WasmFile,
+  options: LoadOptions,
+): Promise<WebAssembly.Module> {
+  const tools = file === 'kdmanifold-tools.wasm';
+  const binary = tools ? options.toolsWasmBinary : options.wasmBinary;
   try {
-    return await compileFrom(options);
+    if (binary === undefined) {
+      return await compileFrom(await addressOf(file, options));
+    }
+    if (Object.prototype.toString.call(binary) === '[object WebAssembly.Module]') return binary;
+    return await compileBytes(binary as BufferSource);
   } catch (error) {
-    if (error instanceof KdManifoldError) throw error;
-    throw loadFailed(String(error instanceof Error ? error.message : error), error);
+    const message =
+      error instanceof Failure ? error.message : `it cannot be had (${messageOf(error)})`;
+    const option = tools ? 'toolsWasmUrl' : 'wasmUrl';
+    const advice =
+      error instanceof Failure && error.elsewhere
+        ? `; copy node_modules/kdmanifold/dist/${file} to where the page looks for it, or tell its ` +
+          `address by the option ${option}`
+        : '';
+    throw new KdManifoldError('LOAD_FAILED', `${file}: ${message}${advice}`, { cause: error });
   }
 }
 
-async function compileFrom({ wasmBinary, wasmUrl }: LoadOptions): Promise<WebAssembly.Module> {
-  if (wasmBinary !== undefined) {
-    if (Object.prototype.toString.call(wasmBinary) === '[object WebAssembly.Module]') {
-      return wasmBinary;
-    }
-    return compileBytes(wasmBinary as BufferSource);
+/** Why it failed, for people; `elsewhere`: the file is not where it was looked for. */
+class Failure extends Error {
+  readonly elsewhere: boolean;
+
+  constructor(
+    message: string,
+    { cause, elsewhere = false }: { cause?: unknown; elsewhere?: boolean },
+  ) {
+    super(message, { cause });
+    this.elsewhere = elsewhere;
   }
-  const url = await addressOf(wasmUrl);
+}
+
+async function compileFrom(url: URL): Promise<WebAssembly.Module> {
   if (isNode() && url.protocol === 'file:') {
     const { readFile } = await nodeModule<typeof import('node:fs/promises')>('fs/promises');
     return compileBytes(await readFile(url));
@@ -32,17 +55,18 @@ async function compileFrom({ wasmBinary, wasmUrl }: LoadOptions): Promise<WebAss
   let response: Response;
   try {
     response = await fetch(url, { credentials: 'same-origin' });
-  } catch (error) {
-    throw loadFailed(
-      `${url.href} cannot be fetched (${messageOf(error)}): a content-security policy must allow it in ` +
+  } catch (cause) {
+    throw new Failure(
+      `${url.href} cannot be fetched (${messageOf(cause)}): a content-security policy must allow it in ` +
         `connect-src, and a server of another origin must allow this one (CORS)`,
-      error,
+      { cause },
     );
   }
-  if (!response.ok) throw loadFailed(`${url.href} answered ${response.status}; ${whereToCopy}`);
+  const elsewhere = true;
+  if (!response.ok) throw new Failure(`${url.href} answered ${response.status}`, { elsewhere });
   const type = response.headers.get('content-type') ?? '';
   if (/^text\/html\b/i.test(type)) {
-    throw loadFailed(`${url.href} answered a page (${type}) in place of the file; ${whereToCopy}`);
+    throw new Failure(`${url.href} answered a page (${type}) in place of the file`, { elsewhere });
   }
   // Streaming compiles while loading, but demands the right type from the server.
   if (/^application\/wasm\s*$/i.test(type)) {
@@ -51,25 +75,24 @@ async function compileFrom({ wasmBinary, wasmUrl }: LoadOptions): Promise<WebAss
   const bytes = await response.arrayBuffer();
   const magic = new Uint8Array(bytes, 0, Math.min(4, bytes.byteLength));
   if (String.fromCharCode(...magic) !== '\0asm') {
-    throw loadFailed(`what ${url.href} answered is no WebAssembly; ${whereToCopy}`);
+    throw new Failure(`what ${url.href} answered is no WebAssembly`, { elsewhere });
   }
   return compileBytes(bytes);
 }
 
-const whereToCopy =
-  `copy node_modules/kdmanifold/dist/${file} to where the page looks for it, ` +
-  `or tell its address by the option wasmUrl`;
-
-async function addressOf(given: LoadOptions['wasmUrl']): Promise<URL> {
+async function addressOf(file: WasmFile, { wasmUrl, toolsWasmUrl }: LoadOptions): Promise<URL> {
+  const tools = file === 'kdmanifold-tools.wasm';
+  const given = tools ? toolsWasmUrl : wasmUrl;
   if (given !== undefined) {
-    const address = typeof given === 'string' ? given : given.href;
-    return new URL(address, await baseAddress());
+    return new URL(typeof given === 'string' ? given : given.href, await baseAddress());
   }
   if (isNode()) return nodeAddress(file);
   const moved = movedAddress(file);
   if (moved !== null) return new URL(moved);
-  // Bundlers recognise this very form, put the file among theirs and write its address here.
-  return new URL('./kdmanifold.wasm', import.meta.url);
+  // Bundlers recognise these very forms, put the files among theirs and write their addresses here.
+  return tools
+    ? new URL('./kdmanifold-tools.wasm', import.meta.url)
+    : new URL('./kdmanifold.wasm', import.meta.url);
 }
 
 const compileBytes = (bytes: BufferSource): Promise<WebAssembly.Module> =>
@@ -78,21 +101,17 @@ const compileBytes = (bytes: BufferSource): Promise<WebAssembly.Module> =>
 async function explained(compile: () => Promise<WebAssembly.Module>): Promise<WebAssembly.Module> {
   try {
     return await compile();
-  } catch (error) {
-    const message = messageOf(error);
+  } catch (cause) {
+    const message = messageOf(cause);
     const forbidden = /content security policy|unsafe-eval|disallowed by embedder|blocked by CSP/i;
-    throw loadFailed(
+    throw new Failure(
       forbidden.test(message)
         ? `a content-security policy forbids WebAssembly here: add 'wasm-unsafe-eval' to script-src (${message})`
         : `it cannot be compiled (${message}); is it whole, and of this version of the package?`,
-      error,
+      { cause },
     );
   }
 }
 
 const messageOf = (error: unknown): string =>
   error instanceof Error ? error.message : String(error);
-
-function loadFailed(message: string, cause?: unknown): KdManifoldError {
-  return new KdManifoldError('LOAD_FAILED', `${file}: ${message}`, { cause });
-}

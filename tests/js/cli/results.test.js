@@ -3,7 +3,7 @@
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { load } from '../../../dist/index.js';
-import { fileOptions, reportOptions } from '../../../build/js/cli-table.js';
+import { fileOptions, reportOptions } from '../../../build/js/cli/table.js';
 import { buildOptions, extractOptions } from '../../../build/js/options.js';
 import { cube, faults, together, torus } from '../support/meshes.js';
 import { both, programs, withoutNumbers, writeMesh } from '../support/programs.js';

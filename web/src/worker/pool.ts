@@ -3,7 +3,7 @@
 // a time is `concurrency`; all others wait in line.
 import { convert } from '../convert.js';
 import { aborted, KdManifoldError } from '../errors.js';
-import { load, unload } from '../load.js';
+import { loadMain, unload } from '../load.js';
 import type { Source } from '../load-options.js';
 import type { Signal } from '../outside-types.js';
 import type {
@@ -78,14 +78,14 @@ export function submit(job: Job): Promise<Conversion> {
 /** Starts workers ahead of the first conversion, so that it need not wait for them. */
 export async function warmUp(source: Source): Promise<void> {
   if (source.worker === false) {
-    await load(source);
+    await loadMain(source);
     return;
   }
   while (spare.filter((seat) => suits(seat, source)).length + working.size < source.concurrency) {
     keep(launch(source));
   }
   const ports = await Promise.all(spare.map(({ port }) => port));
-  if (ports.includes(null)) await load(source);
+  if (ports.includes(null)) await loadMain(source);
 }
 
 /** Ends all workers and forgets the module. What is at work or in line rejects with `ABORTED`. */
@@ -154,7 +154,7 @@ async function performInWorker(task: Task, seat: Seat, port: WorkerPort): Promis
 }
 
 async function performHere(job: Job): Promise<Conversion> {
-  const library = await load(job.source);
+  const library = await loadMain(job.source);
   return convert(library, job.mesh, job.build, job.extract, (fraction, phase) => {
     if (job.signal?.aborted) return false;
     return job.onProgress?.(fraction, phase);

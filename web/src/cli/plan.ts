@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // What is to be done, one input after the other, as src/cli/plan.cpp plans it, word for word.
 import { dirname } from 'node:path';
-import { checkFolder, exists } from './cli-files.js';
-import { fileName, standardStream } from './cli-formats.js';
-import { expand, isPattern } from './cli-glob.js';
-import { asTyped, usageError, type Command } from './cli-options.js';
-import { namesAGrid } from './library.js';
-import { buildOptions } from './options.js';
+import { checkFolder, exists } from './files.js';
+import { fileName, standardStream } from './formats.js';
+import { expand, isPattern } from './glob.js';
+import { asTyped, usageError, type Command } from './options.js';
+import { namesAGrid } from '../library.js';
+import { buildOptions } from '../options.js';
 
 /** One input and its result. */
 export interface Task {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Reads the command line's arguments by the tables in options.ts and cli-table.ts, as
+// Reads the command line's arguments by the tables in ../options.ts and table.ts, as
 // src/cli/options.cpp does, word for word.
-import type { FileFormat } from './cli-formats.js';
-import { didYouMean, nearest } from './cli-suggest.js';
-import { fileOptions, reportOptions } from './cli-table.js';
-import { KdManifoldError } from './errors.js';
-import { namesAGrid } from './library.js';
-import { isLegal, rangeText, type OptionSpec } from './option-spec.js';
-import { buildOptions, extractOptions } from './options.js';
-import type { BuildOptions, ExtractOptions } from './types.js';
+import type { FileFormat } from './formats.js';
+import { didYouMean, nearest } from './suggest.js';
+import { fileOptions, reportOptions } from './table.js';
+import { KdManifoldError } from '../errors.js';
+import { namesAGrid } from '../library.js';
+import { isLegal, rangeText, type OptionSpec } from '../option-spec.js';
+import { buildOptions, extractOptions } from '../options.js';
+import type { BuildOptions, ExtractOptions } from '../types.js';
 
 /** Where results go, and what files are. */
 export interface FileOptions {

@@ -12,8 +12,8 @@ import {
 } from 'node:fs';
 import { open } from 'node:fs/promises';
 import { dirname } from 'node:path';
-import { inputName, standardStream } from './cli-formats.js';
-import { KdManifoldError } from './errors.js';
+import { inputName, standardStream } from './formats.js';
+import { KdManifoldError } from '../errors.js';
 
 const reasons: Record<string, string> = {
   ENOENT: 'there is no such file or folder',

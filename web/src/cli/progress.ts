@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a person who waits at a terminal sees, as src/cli/progress_line.h shows it.
-import type { ProgressCallback } from './types.js';
+import type { ProgressCallback } from '../types.js';
 
 /** One line on standard error that is written over and over, and is gone at the end. */
 export class ProgressLine {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The command line. Made by scripts/generate-options.mjs, not by hand.
 
-import type { OptionSpec } from './option-spec.js';
+import type { OptionSpec } from '../option-spec.js';
 
 /** @internal */
 export const fileOptions: Record<string, OptionSpec> = {

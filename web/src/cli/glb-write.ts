@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Makes the bytes of GLB files: the same ones as src/cli/glb/write.cpp.
-import { KdManifoldError } from './errors.js';
-import type { Mesh } from './types.js';
+import { KdManifoldError } from '../errors.js';
+import type { Mesh } from '../types.js';
 
 // What goes into the file.
 interface Model {

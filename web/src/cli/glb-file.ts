@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A GLB file: a JSON text that describes a scene, and the bytes of its arrays. Taken apart as
 // src/cli/glb/container.cpp does, word for word; what is right goes to a library (cli-glb-arrays.ts).
-import { KdManifoldError } from './errors.js';
+import { KdManifoldError } from '../errors.js';
 
 /** An object of the JSON, before anything about it is known. */
 export type Json = Record<string, unknown>;

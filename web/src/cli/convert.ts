@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 // The work for one input, in the steps of src/cli/convert.cpp.
-import { checkFolderOf, checkTarget, makeFolder, readAll, writeAll } from './cli-files.js';
-import { inputFormat, inputName, outputFormat, type FileFormat } from './cli-formats.js';
-import { readGlb, type GlbScene } from './cli-glb-read.js';
-import { writeGlb } from './cli-glb-write.js';
-import { converts, type Command, type FileOptions } from './cli-options.js';
-import type { Task } from './cli-plan.js';
-import type { ProgressLine } from './cli-progress.js';
-import type { CliReport } from './cli-report.js';
-import { KdManifoldError } from './errors.js';
-import type { Grid } from './grid.js';
-import type { KdManifold } from './library.js';
-import type { Mesh } from './types.js';
+import { checkFolderOf, checkTarget, makeFolder, readAll, writeAll } from './files.js';
+import { inputFormat, inputName, outputFormat, type FileFormat } from './formats.js';
+import { readGlb, type GlbScene } from './glb-read.js';
+import { writeGlb } from './glb-write.js';
+import { converts, type Command, type FileOptions } from './options.js';
+import type { Task } from './plan.js';
+import type { ProgressLine } from './progress.js';
+import type { CliReport } from './report.js';
+import { KdManifoldError } from '../errors.js';
+import type { Grid } from '../grid.js';
+import type { KdManifold } from '../library.js';
+import type { Mesh } from '../types.js';
 
 // What a task's files are: nothing for grids, and where there is no output.
 interface Formats {

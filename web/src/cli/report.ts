@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The account of one run of the command line, word for word as the native one (src/cli) writes it.
-import { inputName, standardStream } from './cli-formats.js';
-import type { Command } from './cli-options.js';
-import type { Task } from './cli-plan.js';
-import { pick } from './pick.js';
-import { checkKeys, defectKeys, outputKeys } from './reports.js';
-import type { ExtractReport, GridStats, InputReport, MeshDefects, MeshReport } from './types.js';
+import { inputName, standardStream } from './formats.js';
+import type { Command } from './options.js';
+import type { Task } from './plan.js';
+import { pick } from '../pick.js';
+import { checkKeys, defectKeys, outputKeys } from '../reports.js';
+import type { ExtractReport, GridStats, InputReport, MeshDefects, MeshReport } from '../types.js';
 
 /** What is known at the end of a run. */
 export interface CliReport {

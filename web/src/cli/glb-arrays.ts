@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The arrays of a GLB file: checked as src/cli/glb/accessor.cpp checks them, word for word, and then read by
 // glTF Transform, which is loaded only here.
-import { isObject, type GlbFile, type Json } from './cli-glb-file.js';
-import { KdManifoldError } from './errors.js';
+import { isObject, type GlbFile, type Json } from './glb-file.js';
+import { KdManifoldError } from '../errors.js';
 
 const [byte, unsignedByte, short, unsignedShort, unsignedInt, float] = [
   5120, 5121, 5122, 5123, 5125, 5126,

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Walks the nodes of a scene of a GLB file and collects its triangles, as src/cli/glb/read.cpp does: the same sums in
 // the same order, so that the same numbers come out.
-import { readNumbers, readPoints } from './cli-glb-arrays.js';
-import { isObject, openGlb, type GlbFile, type Json } from './cli-glb-file.js';
-import type { MeshInput } from './types.js';
+import { readNumbers, readPoints } from './glb-arrays.js';
+import { isObject, openGlb, type GlbFile, type Json } from './glb-file.js';
+import type { MeshInput } from '../types.js';
 
 /** What is read of a file: all meshes of the scene, where its nodes put them, and what was left out, in words. */
 export interface GlbScene {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The formats of files that command lines read and write: those of the library, and GLB.
-import { nearest } from './cli-suggest.js';
-import { KdManifoldError } from './errors.js';
-import type { MeshFormat } from './types.js';
+import { nearest } from './suggest.js';
+import { KdManifoldError } from '../errors.js';
+import type { MeshFormat } from '../types.js';
 
 /** What a file is. */
 export type FileFormat = MeshFormat | 'glb';
