@@ -2,7 +2,7 @@
 // GLB files, which the native command line reads by itself and the one in Node with glTF Transform:
 // the same meshes, the same bytes, the same refusals.
 import { Accessor, Document, WebIO } from '@gltf-transform/core';
-import { readFileSync, writeFileSync } from 'node:fs';
+import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { load } from '../../../dist/index.js';
 import { cube, torus } from '../support/meshes.js';
