@@ -11,8 +11,8 @@ const head = (text) => `// SPDX-License-Identifier: MIT
 // ${text} Made by scripts/generate-options.mjs, not by hand.
 `;
 
-/** Everything that is made, by its path in the repository. `readme` is the README as it is. */
-export async function generate(description, readme) {
+/** Everything that is made, by its path in the repository. `page` is docs/options.md as it is. */
+export async function generate(description, page) {
   // Here, not at the top: set-up may just have installed it.
   const { format } = await import('prettier');
   const { build, extract, analyze, files, report } = description.options;
@@ -56,7 +56,7 @@ export async function generate(description, readme) {
           .join('\n')}\n].join('\\n');`,
       ].join('\n'),
     ),
-    'README.md': withTable(readme, [...build, ...extract]),
+    'docs/options.md': withTable(page, [...build, ...extract]),
   };
 }
 
@@ -164,10 +164,10 @@ export const partKeys = ${JSON.stringify(keys.map(({ name, type }) => [name, typ
 const begin = '<!-- Made by `npm run options`, not by hand. -->';
 const end = '<!-- End of what is made. -->';
 
-function withTable(readme, options) {
-  const from = readme.indexOf(begin);
-  const to = readme.indexOf(end);
-  if (from < 0 || to < from) throw new Error(`README.md: '${begin}' or '${end}' is missing`);
+function withTable(page, options) {
+  const from = page.indexOf(begin);
+  const to = page.indexOf(end);
+  if (from < 0 || to < from) throw new Error(`docs/options.md: '${begin}' or '${end}' is missing`);
   const rows = options.map((option) => {
     const { name, flag, words = [], unset } = option;
     const typed = flag.startsWith('--no-') ? ` (\`${flag}\`)` : '';
@@ -185,13 +185,13 @@ function withTable(readme, options) {
     '| --- | --- | --- |',
     ...rows,
   ];
-  return `${readme.slice(0, from + begin.length)}\n\n${table.join('\n')}\n\n${readme.slice(to)}`;
+  return `${page.slice(0, from + begin.length)}\n\n${table.join('\n')}\n\n${page.slice(to)}`;
 }
 
 if (import.meta.url === pathToFileURL(process.argv[1]).href) {
   builders.native();
   const program = `${root}/build/native/src/cli/kdmanifold`;
   const description = JSON.parse(output(program, ['--describe']));
-  const made = await generate(description, readFileSync(`${root}/README.md`, 'utf8'));
+  const made = await generate(description, readFileSync(`${root}/docs/options.md`, 'utf8'));
   for (const [path, text] of Object.entries(made)) writeFileSync(`${root}/${path}`, text);
 }

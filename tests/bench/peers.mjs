@@ -100,7 +100,9 @@ async function cell(engine, { mesh, wanted }) {
   const wrong = (volume(result) / wanted - 1) * 100;
   const seconds = median(runs.slice(1).map((run) => run.seconds));
   const solid = faults(result).length === 0 ? '2-manifold' : 'not manifold';
-  return `${solid}, volume ${wrong < 0 ? '−' : '+'}${Math.abs(wrong).toFixed(2)} %, ${Math.round(seconds * 1000)} ms`;
+  const triangles = (result.indices.length / 3).toLocaleString('en');
+  const percent = `${wrong < 0 ? '−' : '+'}${Math.abs(wrong).toFixed(2)} %`;
+  return `${solid}, ${percent}, ${triangles} triangles, ${Math.round(seconds * 1000)} ms`;
 }
 
 console.log(`| input | ${Object.keys(engines).join(' | ')} |`);

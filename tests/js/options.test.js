@@ -26,8 +26,8 @@ beforeAll(async () => {
 afterAll(() => grid.delete());
 
 test('what is made of the tables is current (npm run options)', async () => {
-  const readme = readFileSync(join(root, 'README.md'), 'utf8');
-  for (const [path, text] of Object.entries(await generate(description, readme))) {
+  const page = readFileSync(join(root, 'docs/options.md'), 'utf8');
+  for (const [path, text] of Object.entries(await generate(description, page))) {
     expect({ path, text: readFileSync(join(root, path), 'utf8') }).toEqual({ path, text });
   }
 });

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Types of reports, keys of their parts. Made by scripts/generate-options.mjs, not by hand.
+
 import type { OwnUint32Array } from './outside-types.js';
 
 /** What the grid was built from. */
