@@ -3,9 +3,9 @@
 
 namespace kdm {
 
-std::string fill_in(std::string_view pattern, std::initializer_list<Piece> pieces) {
+std::string fill_in(std::string_view pattern, std::initializer_list<TextPiece> pieces) {
   std::string message;
-  for (const Piece& piece : pieces) {
+  for (const TextPiece& piece : pieces) {
     const std::size_t hole = pattern.find("{}");
     message.append(pattern.substr(0, hole));
     message.append(piece.text());

@@ -12,13 +12,13 @@
 namespace kdm {
 
 /// A text, or a number as text.
-class Piece {
+class TextPiece {
  public:
-  explicit Piece(std::string_view text) : text_(text.data()), length_(text.size()) {}
-  explicit Piece(char letter) : length_(1) { own_[0] = letter; }
+  explicit TextPiece(std::string_view text) : text_(text.data()), length_(text.size()) {}
+  explicit TextPiece(char letter) : length_(1) { own_[0] = letter; }
   template <typename Number>
   requires std::floating_point<Number> ||
-      (std::integral<Number> && !std::same_as<Number, bool>)explicit Piece(Number value)
+      (std::integral<Number> && !std::same_as<Number, bool>)explicit TextPiece(Number value)
       : length_(static_cast<std::size_t>(write_number(own_, value) - own_)) {}
 
   std::string_view text() const { return {text_ != nullptr ? text_ : own_, length_}; }
@@ -46,12 +46,12 @@ class Pattern {
 };
 
 /// Puts each piece in the place of a `{}`.
-std::string fill_in(std::string_view pattern, std::initializer_list<Piece> pieces);
+std::string fill_in(std::string_view pattern, std::initializer_list<TextPiece> pieces);
 
 /// Returns the pattern with a text, a letter or a number in the place of each `{}`.
 template <typename... Values>
 std::string compose(Pattern<sizeof...(Values)> pattern, const Values&... values) {
-  return fill_in(pattern.text(), {Piece(values)...});
+  return fill_in(pattern.text(), {TextPiece(values)...});
 }
 
 }  // namespace kdm
