@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Finds out where the code runs. Nothing is found out while the package is imported.
 
+import type { Address } from './outside-types.js';
+
 // Not by its bare name, for which some bundlers would put something in place.
 const processOf = (): NodeJS.Process | undefined =>
   (globalThis as { process?: NodeJS.Process }).process;
@@ -27,8 +29,16 @@ export async function nodeModule<T>(name: string): Promise<T> {
     ))) as T;
 }
 
-/** The page's address, or in Node that of the working directory: what relative addresses that a caller gives refer to. */
-export async function baseAddress(): Promise<string | undefined> {
+/** Makes an address that a caller gives whole: a relative one is relative to the page, in Node to the working directory. */
+export async function resolveAddress(address: Address): Promise<URL> {
+  return new URL(textOf(address), await baseAddress());
+}
+
+/** The address as text. */
+export const textOf = (address: Address): string =>
+  typeof address === 'string' ? address : address.href;
+
+async function baseAddress(): Promise<string | undefined> {
   if (isNode()) {
     const { pathToFileURL } = await nodeModule<typeof import('node:url')>('url');
     return `${pathToFileURL(workingDirectory()).href}/`;

@@ -2,6 +2,7 @@
 // Where the package's files come from, and who works.
 import { KdManifoldError } from './errors.js';
 import type { Address, CompiledModule, WorkerLike } from './outside-types.js';
+import { pick } from './pick.js';
 
 /** Where the WebAssembly files come from, if not from beside the package's own files. */
 export interface LoadOptions {
@@ -81,17 +82,7 @@ export function checkSource(options: LoadOptions & WorkerOptions): Source {
   if (concurrency > 1 && typeof worker === 'object') {
     refuse('worker', `a function that starts workers, as concurrency is ${concurrency}`);
   }
-  const { wasmBinary, wasmUrl, toolsWasmBinary, toolsWasmUrl, workerUrl } = options;
-  return {
-    wasmBinary,
-    wasmUrl,
-    toolsWasmBinary,
-    toolsWasmUrl,
-    tools,
-    workerUrl,
-    worker,
-    concurrency,
-  };
+  return { ...pick(options, sourceKeys), tools, concurrency };
 }
 
 function isBinary(value: unknown): boolean {

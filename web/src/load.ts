@@ -31,12 +31,13 @@ let current: KdManifold | undefined;
  */
 export async function load(options: LoadOptions = {}): Promise<KdManifold> {
   const source = checkSource(options);
-  const [library] = await Promise.all([loadMain(source), source.tools && compileTools(source)]);
-  if (source.tools && !library.hasTools) {
-    const tools = await compileTools(source);
-    if (tools instanceof Error) library.lackTools(tools);
-    else library.takeTools(await instantiate(createTools, tools));
-  }
+  const [library, tools] = await Promise.all([
+    loadMain(source),
+    source.tools ? compileTools(source) : undefined,
+  ]);
+  if (tools === undefined || library.hasTools) return library;
+  if (tools instanceof Error) library.lackTools(tools);
+  else library.takeTools(await instantiate(createTools, tools));
   return library;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Fetches and compiles a WebAssembly file, and says what to do where that fails.
-import { baseAddress, isNode, nodeModule } from './environment.js';
+import { isNode, nodeModule, resolveAddress } from './environment.js';
 import { KdManifoldError } from './errors.js';
 import type { LoadOptions } from './load-options.js';
 import { movedAddress, nodeAddress } from './package-address.js';
@@ -83,9 +83,7 @@ async function compileFrom(url: URL): Promise<WebAssembly.Module> {
 async function addressOf(file: WasmFile, { wasmUrl, toolsWasmUrl }: LoadOptions): Promise<URL> {
   const tools = file === 'kdmanifold-tools.wasm';
   const given = tools ? toolsWasmUrl : wasmUrl;
-  if (given !== undefined) {
-    return new URL(typeof given === 'string' ? given : given.href, await baseAddress());
-  }
+  if (given !== undefined) return resolveAddress(given);
   if (isNode()) return nodeAddress(file);
   const moved = movedAddress(file);
   if (moved !== null) return new URL(moved);

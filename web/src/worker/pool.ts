@@ -2,6 +2,7 @@
 // The workers, and the line of conversions before them. Each worker does one at a time; how many work at
 // a time is `concurrency`; all others wait in line.
 import { convert } from '../convert.js';
+import { textOf } from '../environment.js';
 import { aborted, KdManifoldError } from '../errors.js';
 import { loadMain, unload } from '../load.js';
 import type { Source } from '../load-options.js';
@@ -163,7 +164,7 @@ async function performHere(job: Job): Promise<Conversion> {
 
 /** What a caller said of the worker; undefined: nothing. */
 const originOf = ({ worker, workerUrl }: Source): unknown =>
-  worker ?? (typeof workerUrl === 'object' ? workerUrl.href : workerUrl);
+  worker ?? (workerUrl && textOf(workerUrl));
 
 /** Says whether the worker is one that the caller would have: of those it did not speak of, any will do. */
 function suits(seat: Seat, source: Source): boolean {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Starts a worker: of the browser's kind or of Node's, whichever there is.
-import { baseAddress, isNode, nodeModule } from '../environment.js';
+import { isNode, nodeModule, resolveAddress } from '../environment.js';
 import type { WorkerOptions } from '../load-options.js';
 import type { WorkerLike } from '../outside-types.js';
 import { movedAddress, neighbour, nodeAddress } from '../package-address.js';
@@ -17,7 +17,7 @@ export async function openWorker(options: WorkerOptions): Promise<WorkerPort> {
 
 async function openThread({ workerUrl }: WorkerOptions): Promise<WorkerPort> {
   const { Worker } = await nodeModule<typeof import('node:worker_threads')>('worker_threads');
-  const url = await (workerUrl === undefined ? nodeAddress(file) : resolved(workerUrl));
+  const url = await (workerUrl === undefined ? nodeAddress(file) : resolveAddress(workerUrl));
   // The worker does not get the flags of the process: workers refuse some of them.
   const worker = new Worker(url, { execArgv: [] });
   let hear: (reply: Reply) => void = () => {};
@@ -36,7 +36,7 @@ async function openThread({ workerUrl }: WorkerOptions): Promise<WorkerPort> {
 async function openWebWorker({ workerUrl }: WorkerOptions): Promise<Worker> {
   if (typeof Worker !== 'function') throw new Error('there are no workers here');
   const moved = movedAddress(file);
-  if (workerUrl !== undefined) return openAddress(await resolved(workerUrl));
+  if (workerUrl !== undefined) return openAddress(await resolveAddress(workerUrl));
   if (moved !== null) return openAddress(new URL(moved));
   try {
     // Bundlers recognise this very form and bundle the worker.
@@ -46,10 +46,6 @@ async function openWebWorker({ workerUrl }: WorkerOptions): Promise<Worker> {
     if (address === null) throw error;
     return openAddress(address);
   }
-}
-
-async function resolved(address: NonNullable<WorkerOptions['workerUrl']>): Promise<URL> {
-  return new URL(typeof address === 'string' ? address : address.href, await baseAddress());
 }
 
 /** Starts a worker from an address. One of another origin may not be started, but imported by one that is. */

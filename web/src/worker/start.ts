@@ -21,9 +21,7 @@ export async function start(source: Source): Promise<Start> {
   try {
     // The script is loaded while the module is compiled.
     port = await openWorker(source);
-    const died = firstDeath(port);
-    const module = await Promise.race([compiling, died]);
-    await Promise.race([greet(port, module), died]);
+    await greet(port, await Promise.race([compiling, deathOf(port)]));
     return { port };
   } catch (error) {
     void port?.terminate();
@@ -38,8 +36,8 @@ export async function start(source: Source): Promise<Start> {
 
 const ignore = (): void => {};
 
-/** Rejects when the worker dies; listens from now on, so that no word of it is lost. */
-function firstDeath(port: WorkerPort): Promise<never> {
+/** Rejects if the worker dies before it is greeted. */
+function deathOf(port: WorkerPort): Promise<never> {
   return new Promise((_, reject) => port.listen(ignore, (reason) => reject(new Error(reason))));
 }
 
