@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "extract/mend/triangle_shape.h"
+#include "geometry/exact_sign.h"
 #include "geometry/triangle_triangle.h"
 
 namespace kdm {
@@ -53,7 +53,7 @@ bool PairTest::meet(const DualMesh& mesh, const CachedTriangle& triangle, Triang
 
 bool PairTest::has_no_area(const DualMesh& mesh, TriangleId t) const {
   const auto [a, b, c] = corners(corner_numbers(mesh, t));
-  return is_flat(a, b, c);
+  return area_sign(a, b, c, 0) == 0 && area_sign(a, b, c, 1) == 0 && area_sign(a, b, c, 2) == 0;
 }
 
 bool PairTest::fan_is_simple(const DualMesh& mesh, VertexId v) {
