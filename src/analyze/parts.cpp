@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "analyze/nesting.h"
+#include "mesh/nesting.h"
 #include "mesh/boxes.h"
 #include "mesh/measure.h"
 #include "mesh/scale.h"

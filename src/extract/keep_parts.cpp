@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analyze/nesting.h"
+#include "mesh/nesting.h"
 #include "mesh/boxes.h"
 #include "mesh/disjoint_sets.h"
 #include "mesh/measure.h"

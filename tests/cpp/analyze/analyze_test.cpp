@@ -297,6 +297,20 @@ TEST(Analyze, CubesInACube) {
   for (const MeshPart& part : found) EXPECT_FALSE(part.inside_out);
 }
 
+// A cavity all of whose corners lie on the surface of the block round it.
+TEST(Analyze, FindsACavityThatTouchesTheOutside) {
+  const Mesh mesh = shapes::voxels(3, 3, 3, [](int x, int y, int z) {
+    const int middles = (x == 1 ? 1 : 0) + (y == 1 ? 1 : 0) + (z == 1 ? 1 : 0);
+    return middles == 1 || middles == 2;
+  });
+  const MeshDefects found = analyze(mesh);
+  ASSERT_EQ(found.parts.size(), 2u);
+  EXPECT_EQ(found.parts[0].inside == kNone, found.parts[0].volume > 0);
+  EXPECT_EQ(found.parts[1].inside == kNone, found.parts[1].volume > 0);
+  EXPECT_TRUE(found.parts[0].cavity != found.parts[1].cavity);
+  EXPECT_FALSE(found.parts[0].inside_out || found.parts[1].inside_out);
+}
+
 TEST(Analyze, TouchingPartsAreInsideOrNot) {
   const Mesh large = shapes::scaled(cube_mesh(), Vec3::Constant(4));
   const auto inside = [](const Mesh& outer, const Mesh& inner) {
@@ -312,7 +326,7 @@ TEST(Analyze, TouchingPartsAreInsideOrNot) {
       }
     }
   }
-  EXPECT_EQ(inside(large, shapes::tetrahedron({0, 1, 1}, {4, 1, 1}, {1, 4, 2}, {1, 2, 4})), kNone)
+  EXPECT_EQ(inside(large, shapes::tetrahedron({0, 1, 1}, {4, 1, 1}, {1, 4, 2}, {1, 2, 4})), 0u)
       << "which no vertex tells";
   // In the notch of an L, within its box: outside, and touching two of its faces.
   Mesh notched = shapes::voxels(2, 2, 1, [](int x, int y, int) { return x + y < 2; });

@@ -2,7 +2,7 @@
 // Finds winding numbers by rays: a part's winding number at a point is a sum over the triangles
 // that a ray from the point down the x axis meets. The point is read as shifted by (0, e, e^2),
 // where e is infinitesimal, so that no ray meets an edge.
-#include "analyze/nesting.h"
+#include "mesh/nesting.h"
 
 #include <algorithm>
 #include <array>
@@ -104,6 +104,30 @@ bool is_on(const Corners& t, const Vec3& p) {
   return !(left && right);
 }
 
+// Calls `ask(corners)` for every triangle of some faces.
+template <typename Ask>
+void for_each_corners(const Polygons& faces, std::span<const Vec3> positions,
+                      std::span<const Index> some, const Ask& ask) {
+  for (const Index face : some) {
+    faces.for_each_triangle_of(face, [&](const Triangle& t) {
+      ask(Corners{positions[t[0]], positions[t[1]], positions[t[2]]});
+    });
+  }
+}
+
+// Returns points amid some of the faces, eight at most, spread evenly over the list, as boxes.
+std::vector<Box> middles(const Polygons& faces, std::span<const Vec3> positions,
+                         std::span<const Index> some) {
+  const std::size_t step = (some.size() + 7) / 8;
+  std::vector<Box> points;
+  for (std::size_t i = step / 2; i < some.size(); i += step) {
+    const Index* v = faces[some[i]];
+    const Vec3 middle = (positions[v[0]] + positions[v[1]] + positions[v[2]]) / 3;
+    points.push_back({middle, middle});
+  }
+  return points;
+}
+
 // Where a point lies in relation to one part.
 struct Verdict {
   int winding = 0;  // the part's winding number at the point
@@ -173,16 +197,10 @@ std::optional<std::vector<Enclosure>> find_enclosures(const Polygons& faces,
     });
     if (tests > kMostTests) return std::nullopt;
     if (candidates.empty()) continue;
-    const std::vector<Verdict> verdicts = judge(
-        points,
-        [&](const auto& ask) {
-          for (const Index face : faces_of.of(outer)) {
-            faces.for_each_triangle_of(face, [&](const Triangle& t) {
-              ask({positions[t[0]], positions[t[1]], positions[t[2]]});
-            });
-          }
-        },
-        tests);
+    const auto triangles_of_outer = [&](const auto& ask) {
+      for_each_corners(faces, positions, faces_of.of(outer), ask);
+    };
+    const std::vector<Verdict> verdicts = judge(points, triangles_of_outer, tests);
     if (tests > kMostTests) return std::nullopt;
     auto verdict = verdicts.begin();
     for (const Index inner : candidates) {
@@ -190,9 +208,22 @@ std::optional<std::vector<Enclosure>> find_enclosures(const Polygons& faces,
       const bool none_outside =
           std::all_of(verdict, end, [](const Verdict& v) { return v.on || v.winding != 0; });
       const bool one_inside = std::any_of(verdict, end, [](const Verdict& v) { return !v.on; });
-      if (none_outside && one_inside) enclosures.push_back({inner, outer});
       verdict = end;
+      if (!none_outside) continue;
+      if (one_inside) {
+        enclosures.push_back({inner, outer});
+        continue;
+      }
+      // All of its outermost vertices lie on the other part: amid its faces it may not.
+      const std::vector<Verdict> amid =
+          judge(middles(faces, positions, faces_of.of(inner)), triangles_of_outer, tests);
+      const auto within = std::count_if(amid.begin(), amid.end(),
+                                        [](const Verdict& v) { return !v.on && v.winding != 0; });
+      if (2 * within > static_cast<std::ptrdiff_t>(amid.size())) {
+        enclosures.push_back({inner, outer});
+      }
     }
+    if (tests > kMostTests) return std::nullopt;
   }
   sort_by(enclosures, [](const Enclosure& a, const Enclosure& b) {
     return a.inner != b.inner ? a.inner < b.inner : a.outer < b.outer;
