@@ -213,6 +213,8 @@ test('a grid describes itself and its input', () => {
     duplicateFaces: 0,
     sewnEdges: 0,
     turnedFaces: 0,
+    turnedParts: 0,
+    nestingKnown: true,
     components: 1,
     flipped: false,
   });

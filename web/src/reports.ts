@@ -30,8 +30,40 @@ export interface InputReport {
   sewnEdges: number;
   /** `repair`: faces that were turned to agree with their neighbours and look outwards. */
   turnedFaces: number;
+  /**
+   * `repair`: closed parts that were inside out and have been turned, their faces counting as
+   * turned too. Cavities are none. 0 if the whole input was inside out (`flipped`).
+   */
+  turnedParts: number;
+  /**
+   * `repair`: false if so many closed parts overlap that nobody has looked which lie in which; then
+   * none was turned by itself.
+   */
+  nestingKnown: boolean;
   /** Parts joined by edges. */
   components: number;
+  /** `repair`: holes that were closed by patches over their corners. */
+  patchedHoles: number;
+  /** `repair`: area of these patches. In square model units. */
+  patchArea: number;
+  /** `repair`: parts that were left out because they bound nothing. */
+  lostParts: number;
+  /** `repair`: area of these parts. In square model units. */
+  lostArea: number;
+  /** `repair`: area of the largest of them. In square model units. */
+  largestLost: number;
+  /**
+   * `repair`: distance up to which boundary edges were joined: the tolerance, or more where most of
+   * them lie further from their partners; 0 if none was joined. In model units.
+   */
+  sewingDistance: number;
+  /** Parts that hold next to no area and lie far from the rest; `extent` leaves them out. */
+  strayParts: number;
+  /**
+   * The length that a relative tolerance is a fraction of: the diagonal of the bounding box,
+   * without stray parts. In model units.
+   */
+  extent: number;
   /** The input was inside out and has been turned. */
   flipped: boolean;
   /** The step to which positions were rounded for decisions. In model units. */

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The bytes of a saved grid, version 5. Numbers are little-endian; `n` is a variable-length number
+// The bytes of a saved grid, version 6. Numbers are little-endian; `n` is a variable-length number
 // of seven bits a byte (io/bytes.h), `f64` a double, `z` a signed number as n: 0, -1, 1, -2, ...
 // as 0, 1, 2, 3, ...
 //
@@ -9,11 +9,14 @@
 //            u64       checksum of these bytes (FNV-1a, 64 bits)
 //   lattice  4 f64     origin x, y, z; step
 //            2 f64     tolerance; winding threshold, 0: none
-//   reports  11 n      of the input: vertices, triangles, boundary edges, non-manifold edges,
+//   reports  15 n      of the input: vertices, triangles, boundary edges, non-manifold edges,
 //                      boundary loops, degenerate, cancelled and duplicate faces, sewn edges,
-//                      turned faces, components
+//                      turned faces and parts, components, patched holes, lost and stray parts
 //            2 n       of the grid: unresolved leaves, guessed faces
-//            u8        1: input closed, 2: input flipped, 4: topology resolved, 8: a sheet's grid
+//            u8        1: input closed, 2: input flipped, 4: topology resolved, 8: a sheet's grid,
+//                      16: the input's nesting is known
+//            5 f64     of the input: area of patches and of lost parts, of the largest lost one,
+//                      sewing distance, extent
 //   sizes    n, n      splits, hits
 //   cells    a split: n  8 (3 z + axis) + 4 stray + 2 (upper child is split) + (lower child is
 //                      split), z being the split value less the middle of the cell; if stray:
@@ -48,7 +51,7 @@
 namespace kdm::grid_format {
 
 inline constexpr std::string_view kMagic = "\x89kdgrid\n";
-inline constexpr std::uint32_t kVersion = 5;
+inline constexpr std::uint32_t kVersion = 6;
 inline constexpr std::size_t kHeaderBytes = 8 + 4 + 8 + 8;
 
 /// Planes are numbered by 30 bits, cells and half-edges by 31 and 32.
@@ -59,6 +62,7 @@ inline constexpr std::uint64_t kMostSplits = (1u << 30) - 1;
 inline constexpr Index kManyHits = 3;
 
 inline constexpr unsigned kClosed = 1, kFlipped = 2, kTopologyResolved = 4, kSheet = 8;
+inline constexpr unsigned kNestingKnown = 16;
 inline constexpr unsigned kBelowIsSplit = 1, kAboveIsSplit = 2, kStray = 4;
 
 inline std::uint64_t checksum(std::string_view bytes) {

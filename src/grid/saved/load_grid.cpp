@@ -71,13 +71,14 @@ class GridReader {
     for (Index* count :
          {&input.vertices, &input.triangles, &input.boundary_edges, &input.non_manifold_edges,
           &input.boundary_loops, &input.degenerate_faces, &input.cancelled_faces,
-          &input.duplicate_faces, &input.sewn_edges, &input.turned_faces, &input.components,
+          &input.duplicate_faces, &input.sewn_edges, &input.turned_faces, &input.turned_parts,
+          &input.components, &input.patched_holes, &input.lost_parts, &input.stray_parts,
           &grid_.stats.unresolved_leaves, &grid_.stats.guessed_faces}) {
       *count = take_index(kAnyIndex, "a count of the report");
     }
     bytes_.require(1, 1, "flags");
     const auto flags = bytes_.take_unsigned<std::uint8_t>();
-    if (flags >= 2 * format::kSheet) {
+    if (flags >= 2 * format::kNestingKnown) {
       bytes_.fail("there are no such flags");
     }
     input.closed = (flags & format::kClosed) != 0;
@@ -85,6 +86,12 @@ class GridReader {
     input.lattice_step = grid_.lattice.step;
     grid_.stats.topology_resolved = (flags & format::kTopologyResolved) != 0;
     grid_.sheet = (flags & format::kSheet) != 0;
+    input.nesting_known = (flags & format::kNestingKnown) != 0;
+    for (double* measure : {&input.patch_area, &input.lost_area, &input.largest_lost,
+                            &input.sewing_distance, &input.extent}) {
+      *measure =
+          take_real(bytes_, 0, std::numeric_limits<double>::max(), "a measure of the report");
+    }
   }
 
   void read_cells(Index splits) {

@@ -51,7 +51,8 @@ class GridWriter {
     for (const Index count :
          {input.vertices, input.triangles, input.boundary_edges, input.non_manifold_edges,
           input.boundary_loops, input.degenerate_faces, input.cancelled_faces,
-          input.duplicate_faces, input.sewn_edges, input.turned_faces, input.components,
+          input.duplicate_faces, input.sewn_edges, input.turned_faces, input.turned_parts,
+          input.components, input.patched_holes, input.lost_parts, input.stray_parts,
           grid_.stats.unresolved_leaves, grid_.stats.guessed_faces}) {
       append_varint(out_, count);
     }
@@ -59,7 +60,12 @@ class GridWriter {
               static_cast<std::uint8_t>(
                   (input.closed ? format::kClosed : 0) | (input.flipped ? format::kFlipped : 0) |
                   (grid_.stats.topology_resolved ? format::kTopologyResolved : 0) |
-                  (grid_.sheet ? format::kSheet : 0)));
+                  (grid_.sheet ? format::kSheet : 0) |
+                  (input.nesting_known ? format::kNestingKnown : 0)));
+    for (const double measure : {input.patch_area, input.lost_area, input.largest_lost,
+                                 input.sewing_distance, input.extent}) {
+      append_f64(out_, measure);
+    }
   }
 
   // Keeps account of what the reader knows at each split: `pending` are the cells that it knows are

@@ -30,8 +30,31 @@ struct InputReport {
                               ///< tolerance, that were joined
   /// `kRepair`: faces that were turned to agree with their neighbours and look outwards.
   Index turned_faces = 0;
+  /// `kRepair`: closed parts that were inside out and have been turned, their faces counting as
+  /// turned too. Cavities are none. 0 if the whole input was inside out (`flipped`).
+  Index turned_parts = 0;
+  /// `kRepair`: false if so many closed parts overlap that nobody has looked which lie in which;
+  /// then none was turned by itself.
+  bool nesting_known = true;
   Index components = 0;  ///< parts joined by edges
   bool flipped = false;  ///< the input was inside out and has been turned
+  /// `kRepair`: holes that were closed by patches over their corners, and the area of these
+  /// patches.
+  Index patched_holes = 0;
+  double patch_area = 0;
+  /// `kRepair`: parts that were left out because they bound nothing, their area, and the area of
+  /// the largest of them.
+  Index lost_parts = 0;
+  double lost_area = 0;
+  double largest_lost = 0;
+  /// `kRepair`: the distance up to which boundary edges were joined, in model units: the tolerance,
+  /// or more where most of them lie further from their partners; 0 if none was joined.
+  double sewing_distance = 0;
+  /// Parts that hold next to no area and lie far from the rest; `extent` leaves them out.
+  Index stray_parts = 0;
+  /// The length in model units that a relative tolerance is a fraction of: the diagonal of the
+  /// bounding box, without stray parts.
+  double extent = 0;
   /// Step of the lattice to which positions were rounded for decisions, in model units.
   double lattice_step = 0;
 };

@@ -50,7 +50,41 @@ void for_each_field(const InputReport& report, Visit&& visit) {
                     "`repair`: faces that were turned to agree with their neighbours and look "
                     "outwards"},
         report.turned_faces);
+  visit(ReportField{"turned_parts",
+                    "`repair`: closed parts that were inside out and have been turned, their faces "
+                    "counting as turned too. Cavities are none. 0 if the whole input was inside "
+                    "out (`flipped`)"},
+        report.turned_parts);
+  visit(ReportField{"nesting_known",
+                    "`repair`: false if so many closed parts overlap that nobody has looked which "
+                    "lie in which; then none was turned by itself"},
+        report.nesting_known);
   visit(ReportField{"components", "Parts joined by edges"}, report.components);
+  visit(ReportField{"patched_holes",
+                    "`repair`: holes that were closed by patches over their corners"},
+        report.patched_holes);
+  visit(ReportField{"patch_area", "`repair`: area of these patches", Unit::kModelArea},
+        report.patch_area);
+  visit(ReportField{"lost_parts", "`repair`: parts that were left out because they bound nothing"},
+        report.lost_parts);
+  visit(ReportField{"lost_area", "`repair`: area of these parts", Unit::kModelArea},
+        report.lost_area);
+  visit(ReportField{"largest_lost", "`repair`: area of the largest of them", Unit::kModelArea},
+        report.largest_lost);
+  visit(ReportField{"sewing_distance",
+                    "`repair`: distance up to which boundary edges were joined: the tolerance, or "
+                    "more where most of them lie further from their partners; 0 if none was joined",
+                    Unit::kModelUnits},
+        report.sewing_distance);
+  visit(ReportField{"stray_parts",
+                    "Parts that hold next to no area and lie far from the rest; `extent` leaves "
+                    "them out"},
+        report.stray_parts);
+  visit(ReportField{"extent",
+                    "The length that a relative tolerance is a fraction of: the diagonal of the "
+                    "bounding box, without stray parts",
+                    Unit::kModelUnits},
+        report.extent);
   visit(ReportField{"flipped", "The input was inside out and has been turned"}, report.flipped);
   visit(ReportField{"lattice_step", "The step to which positions were rounded for decisions",
                     Unit::kModelUnits},

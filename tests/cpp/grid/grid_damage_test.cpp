@@ -159,7 +159,7 @@ TEST(GridDamage, HeadersAreChecked) {
   };
   expect_after([](Bytes& b) { b[0] = 0x09; }, "no saved grid");
   expect_after([](Bytes& b) { b[7] = '\r'; }, "no saved grid");
-  expect_after([](Bytes& b) { put(b, kVersionAt, 1, 4); }, "version is 1; this library knows 5");
+  expect_after([](Bytes& b) { put(b, kVersionAt, 1, 4); }, "version is 1; this library knows 6");
   expect_after([](Bytes& b) { put(b, kVersionAt, 0xffffffff, 4); }, "version is 4294967295");
   expect_after([](Bytes& b) { put(b, kSizeAt, ~std::uint64_t{0}, 8); }, "bytes should follow");
   expect_after([](Bytes& b) { b[kChecksumAt] ^= 1; }, "damaged");
@@ -200,20 +200,21 @@ TEST(GridDamage, HostileNumbersAreRefused) {
   const std::size_t flags_at = kReportsAt + [&] {
     std::size_t numbers = 0;
     std::size_t at = kReportsAt;
-    for (; numbers < 13; ++at) numbers += sound[at] < 0x80 ? 1 : 0;
+    for (; numbers < 17; ++at) numbers += sound[at] < 0x80 ? 1 : 0;
     return at - kReportsAt;
   }();
-  expect_after([&](Bytes& b) { b[flags_at] = 16; }, "no such flags");
-  const Bytes most{0xff, 0xff, 0xff, 0xff, 3};  // 2^30 - 1
-  expect_after([&](Bytes& b) { insert(b, flags_at + 1, most); }, "x split of 2 bytes");
+  expect_after([&](Bytes& b) { b[flags_at] = 32; }, "no such flags");
+  const std::size_t sizes_at = flags_at + 1 + 5 * 8;  // five measures follow the flags
+  const Bytes most{0xff, 0xff, 0xff, 0xff, 3};        // 2^30 - 1
+  expect_after([&](Bytes& b) { insert(b, sizes_at, most); }, "x split of 2 bytes");
   expect_after(
       [&](Bytes& b) {
-        insert(b, flags_at + 1, {1, 0xff, 0xff, 0xff, 0xff, 3});
+        insert(b, sizes_at, {1, 0xff, 0xff, 0xff, 0xff, 3});
       },
       "x hit of 2 bytes");
   expect_after(
       [&](Bytes& b) {
-        insert(b, flags_at + 1, {0xff, 0xff, 0xff, 0xff, 4});
+        insert(b, sizes_at, {0xff, 0xff, 0xff, 0xff, 4});
       },
       "the number of splits should be");
 }

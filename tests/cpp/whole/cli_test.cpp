@@ -194,9 +194,12 @@ TEST_F(Cli, ReportHasTheDocumentedKeys) {
   const Json json = report("cube.obj -o out.ply --check" + kCoarse);
   EXPECT_EQ(keys(json), (Names{"input", "grid", "output", "check", "seconds", "peakBytes"}));
   EXPECT_EQ(keys(json["input"]),
-            (Names{"vertices", "triangles", "closed", "boundaryEdges", "boundaryLoops",
-                   "nonManifoldEdges", "degenerateFaces", "cancelledFaces", "duplicateFaces",
-                   "sewnEdges", "turnedFaces", "components", "flipped", "latticeStep"}));
+            (Names{"vertices",       "triangles",        "closed",          "boundaryEdges",
+                   "boundaryLoops",  "nonManifoldEdges", "degenerateFaces", "cancelledFaces",
+                   "duplicateFaces", "sewnEdges",        "turnedFaces",     "turnedParts",
+                   "nestingKnown",   "components",       "patchedHoles",    "patchArea",
+                   "lostParts",      "lostArea",         "largestLost",     "sewingDistance",
+                   "strayParts",     "extent",           "flipped",         "latticeStep"}));
   EXPECT_EQ(keys(json["grid"]),
             (Names{"cells", "leaves", "hits", "depth", "sheet", "bytes", "tolerance",
                    "windingThreshold", "topologyResolved", "unresolvedLeaves", "ambiguousFaces",
