@@ -9,9 +9,9 @@
 #include "mesh/boxes.h"
 #include "mesh/check_positions.h"
 #include "prepare/cancel.h"
+#include "prepare/edit_faces.h"
 #include "prepare/non_manifold_edges.h"
-#include "prepare/orient.h"
-#include "prepare/sew.h"
+#include "prepare/repair_faces.h"
 #include "prepare/weld.h"
 #include "text/compose.h"
 
@@ -67,14 +67,6 @@ void weld(const Mesh& mesh, InputFaces& faces) {
   }
 }
 
-Box bounds_of(const std::vector<Triangle>& triangles, const std::vector<Vec3>& points) {
-  Box bounds;
-  for (const Triangle& t : triangles) {
-    for (const Index corner : t) grow(bounds, points[corner]);
-  }
-  return bounds;
-}
-
 [[noreturn]] void throw_not_closed(const InputFaces& faces) {
   const Topology& topology = faces.topology;
   const Index side = topology.first_unbalanced;
@@ -89,34 +81,6 @@ Box bounds_of(const std::vector<Triangle>& triangles, const std::vector<Vec3>& p
                       b[1], b[2], faces.source_faces[side / 3]));
 }
 
-// Keeps the triangles for whose number `keep` is true, in their order. Returns how many were
-// dropped.
-template <typename Keep>
-Index keep_faces(InputFaces& faces, const Keep& keep) {
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < faces.triangles.size(); ++i) {
-    if (!keep(i)) continue;
-    faces.triangles[kept] = faces.triangles[i];
-    faces.source_faces[kept] = faces.source_faces[i];
-    ++kept;
-  }
-  const auto dropped = static_cast<Index>(faces.triangles.size() - kept);
-  faces.triangles.resize(kept);
-  faces.source_faces.resize(kept);
-  return dropped;
-}
-
-// Drops faces with two equal corners: they have no area.
-void drop_repeated_corners(InputFaces& faces) {
-  faces.report.degenerate_faces += keep_faces(faces, [&](std::size_t i) {
-    const Triangle& t = faces.triangles[i];
-    return t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
-  });
-  if (faces.triangles.empty()) {
-    throw Error(ErrorCode::kInvalidMesh, "every face of the mesh has two equal corners");
-  }
-}
-
 // Drops pairs of faces that lie back to back. They bound nothing, and without them the surface
 // meets itself in fewer places.
 void cancel_opposite_faces(InputFaces& faces) {
@@ -129,58 +93,30 @@ void cancel_opposite_faces(InputFaces& faces) {
     throw Error(ErrorCode::kInvalidMesh,
                 "the faces of the mesh cancel: each lies back to back with another");
   }
-}
-
-// Turns faces so that neighbours agree and parts look outwards. Of several faces over the same
-// corners one is kept.
-void turn_outwards(InputFaces& faces) {
-  const Orientation orientation = orient(faces.triangles, faces.points);
-  for (std::size_t i = 0; i < faces.triangles.size(); ++i) {
-    if (orientation.must_turn.test(i)) std::swap(faces.triangles[i][1], faces.triangles[i][2]);
-  }
-  keep_faces(faces, [&](std::size_t i) { return orientation.copy_of[i] == kNone; });
-  faces.report.turned_faces = orientation.flipped_triangles;
-  faces.report.duplicate_faces = orientation.copies;
-}
-
-// Throws if a hole's bounding box has a diagonal of more than `largest`, in model units.
-void check_holes(const std::vector<BoundaryLoop>& holes, const InputFaces& faces, double largest) {
-  Index too_wide = 0;
-  double widest = 0;
-  Vec3 place = Vec3::Zero();
-  for (const BoundaryLoop& hole : holes) {
-    const auto corner = [&](Index side) {
-      return faces.points[faces.triangles[side / 3][side % 3]];
-    };
-    Box bounds;
-    for (const Index side : hole.vertices) grow(bounds, corner(side));
-    const double width = (bounds.max - bounds.min).norm();
-    too_wide += width > largest ? 1 : 0;
-    if (width <= widest) continue;
-    widest = width;
-    place = corner(hole.vertices[0]);
-  }
-  if (too_wide == 0) return;
-  throw Error(ErrorCode::kNotClosed,
-              compose("{} of {} holes are wider than largest_hole, which is {}; the widest, {} "
-                      "across, passes through ({}, {}, {}): allow wider ones, thicken the "
-                      "surface, or take it as a sheet",
-                      too_wide, holes.size(), largest, widest, place[0], place[1], place[2]));
-}
-
-void find_topology(InputFaces& faces) {
-  faces.topology = build_topology(faces.triangles, static_cast<Index>(faces.points.size()));
-}
-
-// Sews rims together and turns the faces. Returns whether the surface is still not closed.
-bool sew_and_turn(InputFaces& faces, const BuildOptions& options) {
-  const double diagonal = (faces.bounds.max - faces.bounds.min).norm();
-  faces.report.sewn_edges =
-      sew_rims(tolerance_of(options, diagonal), faces.triangles, faces.points);
-  drop_repeated_corners(faces);
-  turn_outwards(faces);
   find_topology(faces);
-  return !faces.topology.closed();
+}
+
+// Says what the input is before anything is done to it.
+void describe(InputFaces& faces) {
+  InputReport& report = faces.report;
+  report.vertices = static_cast<Index>(faces.points.size());
+  report.closed = faces.topology.closed();
+  report.boundary_edges = faces.topology.boundary_edges;
+  report.non_manifold_edges = faces.topology.non_manifold_edges;
+  report.components = faces.topology.components;
+  report.extent = (faces.bounds.max - faces.bounds.min).norm();
+}
+
+// Makes surfaces that bound a solid, unless `faces.repair` says that this is left to do.
+void make_closed(InputFaces& faces, const BuildOptions& options) {
+  const bool repair = options.inside == InsideRule::kRepair;
+  if (!faces.topology.closed() && !repair) throw_not_closed(faces);
+  if (!faces.topology.closed()) {
+    repair_faces(faces, options, tolerance_of(options, faces.report.extent));
+    if (faces.repair) return;
+  }
+  cancel_opposite_faces(faces);
+  if (repair) turn_inverted_parts(faces);
 }
 
 }  // namespace
@@ -190,33 +126,22 @@ InputFaces prepare_faces(const Mesh& mesh, const BuildOptions& options) {
   check_positions(mesh);
   InputFaces faces;
   collect_faces(mesh, faces);
+  faces.report.triangles = static_cast<Index>(faces.triangles.size());
   weld(mesh, faces);
   drop_repeated_corners(faces);
-  faces.bounds = bounds_of(faces.triangles, faces.points);
+  if (faces.triangles.empty()) {
+    throw Error(ErrorCode::kInvalidMesh, "every face of the mesh has two equal corners");
+  }
+  faces.bounds = bounds_of(faces);
   find_topology(faces);
+  describe(faces);
   InputReport& report = faces.report;
-  report.vertices = static_cast<Index>(faces.points.size());
-  report.closed = faces.topology.closed();
-  report.boundary_edges = faces.topology.boundary_edges;
-  report.non_manifold_edges = faces.topology.non_manifold_edges;
-  report.components = faces.topology.components;
-  const bool sheet = options.inside == InsideRule::kSheet;
-  if (!report.closed && options.inside == InsideRule::kRepair) {
-    faces.repair = sew_and_turn(faces, options);
-  } else if (!report.closed && !sheet) {
-    throw_not_closed(faces);
-  }
-  if (sheet || faces.repair) {
+  if (options.inside == InsideRule::kSheet) {
     pair_straightest(faces.triangles, faces.points, faces.topology);
-    const std::vector<BoundaryLoop> holes = find_rim_loops(faces.topology.opposite);
-    report.boundary_loops = static_cast<Index>(holes.size());
-    if (faces.repair && options.largest_hole > 0) check_holes(holes, faces, options.largest_hole);
+    report.boundary_loops = static_cast<Index>(find_rim_loops(faces.topology.opposite).size());
   } else {
-    cancel_opposite_faces(faces);
-    if (report.cancelled_faces > 0) find_topology(faces);
+    make_closed(faces, options);
   }
-  report.triangles = static_cast<Index>(faces.triangles.size()) + report.degenerate_faces +
-                     report.cancelled_faces + report.duplicate_faces;
   return faces;
 }
 

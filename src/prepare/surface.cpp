@@ -110,8 +110,10 @@ Surface prepare_surface(const Mesh& mesh, const BuildOptions& options) {
   for (const Triangle& t : faces.triangles) {
     surface.triangles.push_back({points.rounded[t[0]], points.rounded[t[1]], points.rounded[t[2]]});
   }
-  surface.report.flipped = !surface.has_rims() && signed_volume(surface.triangles) < 0;
-  if (surface.report.flipped) turn_around(faces, surface.triangles);
+  if (!surface.has_rims() && signed_volume(surface.triangles) < 0) {
+    surface.report.flipped = true;
+    turn_around(faces, surface.triangles);
+  }
   find_planes(faces.triangles, points.exact, surface);
   surface.topology = std::move(faces.topology);
   surface.corners = std::move(faces.triangles);

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+// Compares the sign of each part's volume with the signs of the parts that it lies in.
+#include "prepare/inverted_parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "mesh/boxes.h"
+#include "mesh/disjoint_sets.h"
+#include "mesh/measure.h"
+#include "mesh/nesting.h"
+#include "mesh/scale.h"
+#include "mesh/sides.h"
+
+namespace kdm {
+namespace {
+
+// A part whose volume is at most this share of the sum of its terms' absolute values encloses
+// nothing, but for rounding errors.
+constexpr double kMostRoundingVolume = 1e-10;
+
+class PartTurner {
+ public:
+  PartTurner(std::span<const Triangle> triangles, const std::vector<Vec3>& points,
+             std::span<const SideId> opposite)
+      : triangles_(triangles), scaled_(scale_to_one(points, triangles)) {
+    find_parts(opposite);
+    measure();
+  }
+
+  InvertedParts run() {
+    InvertedParts result;
+    const auto turned_inwards = [](int sign) { return sign < 0; };
+    if (std::none_of(sign_.begin(), sign_.end(), turned_inwards)) return result;
+    const auto enclosures = enclosing_parts();
+    if (!enclosures) {
+      result.nesting_known = false;
+      return result;
+    }
+    const Marks turned = decide(*enclosures);
+    result.parts = static_cast<Index>(turned.count());
+    if (result.parts == 0) return result;
+    const auto enclosing =
+        static_cast<std::ptrdiff_t>(sign_.size()) - std::count(sign_.begin(), sign_.end(), 0);
+    result.all = result.parts == static_cast<Index>(enclosing);
+    for (const Index part : part_of_) result.must_turn.push_back(turned.test(part));
+    return result;
+  }
+
+ private:
+  void find_parts(std::span<const SideId> opposite) {
+    DisjointSets sets(triangles_.size());
+    for (SideId side = 0; side < opposite.size(); ++side) {
+      if (opposite[side] != kNone) sets.join(triangle_of(side), triangle_of(opposite[side]));
+    }
+    part_of_.resize(triangles_.size());
+    for (TriangleId t = 0; t < triangles_.size(); ++t) {
+      const Index first = sets.find(t);
+      if (first == t) {
+        part_of_[t] = static_cast<Index>(shells_.size());
+        shells_.emplace_back().closed = true;
+      }
+      part_of_[t] = part_of_[first];
+    }
+    for (SideId side = 0; side < opposite.size(); ++side) {
+      if (opposite[side] == kNone) shells_[part_of_[triangle_of(side)]].closed = false;
+    }
+  }
+
+  void measure() {
+    for (TriangleId t = 0; t < triangles_.size(); ++t) {
+      for (const PointId p : triangles_[t]) grow(shells_[part_of_[t]].bounds, scaled_.positions[p]);
+    }
+    std::vector<Measure> measures(shells_.size());
+    for (Index p = 0; p < shells_.size(); ++p) measures[p].centre = centre_of(shells_[p].bounds);
+    for (TriangleId t = 0; t < triangles_.size(); ++t) {
+      const Triangle& c = triangles_[t];
+      measures[part_of_[t]].add(scaled_.positions[c[0]], scaled_.positions[c[1]],
+                                scaled_.positions[c[2]]);
+    }
+    for (Index p = 0; p < shells_.size(); ++p) {
+      const Measure& m = measures[p];
+      size_.push_back(std::abs(m.volume));
+      const bool encloses =
+          shells_[p].closed && std::abs(m.volume) > kMostRoundingVolume * m.absolute_volume;
+      sign_.push_back(!encloses ? 0 : (m.volume > 0 ? 1 : -1));
+    }
+  }
+
+  std::optional<std::vector<Enclosure>> enclosing_parts() const {
+    Mesh mesh;
+    mesh.triangles.assign(triangles_.begin(), triangles_.end());
+    return find_enclosures(Polygons(mesh), scaled_.positions, part_of_, shells_);
+  }
+
+  // Tells which parts must be turned. Larger parts are decided before smaller ones.
+  Marks decide(const std::vector<Enclosure>& enclosures) const {
+    std::vector<Index> order(shells_.size());
+    std::iota(order.begin(), order.end(), Index{0});
+    std::sort(order.begin(), order.end(),
+              [&](Index a, Index b) { return size_[a] != size_[b] ? size_[a] > size_[b] : a < b; });
+    std::vector<std::size_t> first(shells_.size() + 1, 0);  // per inner part, among the enclosures
+    for (const Enclosure& pair : enclosures) ++first[pair.inner + 1];
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    Marks turned(shells_.size());
+    for (const Index part : order) {
+      if (sign_[part] == 0) continue;
+      int winding = 0;  // round the part, once the parts that hold it are turned
+      Index smallest = kNone;
+      for (std::size_t i = first[part]; i < first[part + 1]; ++i) {
+        const Index outer = enclosures[i].outer;
+        winding += turned.test(outer) ? -sign_[outer] : sign_[outer];
+        if (smallest == kNone || size_[outer] < size_[smallest]) smallest = outer;
+      }
+      turned.set(part, winding > 0 ? turned.test(smallest) : sign_[part] < 0);
+    }
+    return turned;
+  }
+
+  std::span<const Triangle> triangles_;
+  ScaledPositions scaled_;
+  std::vector<Index> part_of_;  // per triangle
+  std::vector<Shell> shells_;   // per part
+  std::vector<double> size_;    // per part: its volume without sign
+  std::vector<int> sign_;       // per part: of its volume; 0 if it is open or encloses nothing
+};
+
+}  // namespace
+
+InvertedParts find_inverted_parts(std::span<const Triangle> triangles,
+                                  const std::vector<Vec3>& points,
+                                  std::span<const SideId> opposite) {
+  return PartTurner(triangles, points, opposite).run();
+}
+
+}  // namespace kdm

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// Sews and turns.
+#include "prepare/repair_faces.h"
+
+#include "text/compose.h"
+
+#include <algorithm>
+
+#include "kdmanifold/error.h"
+#include "mesh/boundary_loops.h"
+#include "mesh/boxes.h"
+#include "mesh/sides.h"
+#include "prepare/edit_faces.h"
+#include "prepare/inverted_parts.h"
+#include "prepare/non_manifold_edges.h"
+#include "prepare/orient.h"
+#include "prepare/sew.h"
+
+namespace kdm {
+namespace {
+
+void sew(InputFaces& faces, double tolerance) {
+  faces.report.sewn_edges = sew_rims(tolerance, faces.triangles, faces.points);
+  if (faces.report.sewn_edges > 0) faces.report.sewing_distance = tolerance;
+  drop_repeated_corners(faces);
+  if (faces.triangles.empty()) {
+    throw Error(ErrorCode::kNotClosed,
+                "the surface encloses nothing that is wider than the tolerance; thicken it, or "
+                "take it as a sheet");
+  }
+}
+
+// Turns faces so that neighbours agree and parts look outwards. Of several faces over the same
+// corners one is kept.
+void turn_outwards(InputFaces& faces) {
+  const Orientation orientation = orient(faces.triangles, faces.points);
+  turn_faces(faces, orientation.must_turn);
+  keep_faces(faces, [&](std::size_t i) { return orientation.copy_of[i] == kNone; });
+  faces.report.turned_faces = orientation.flipped_triangles;
+  faces.report.duplicate_faces = orientation.copies;
+}
+
+// Throws if a hole's bounding box has a diagonal of more than `largest`, in model units.
+void check_holes(const std::vector<BoundaryLoop>& holes, const InputFaces& faces, double largest) {
+  Index too_wide = 0;
+  double widest = 0;
+  Vec3 place = Vec3::Zero();
+  for (const BoundaryLoop& hole : holes) {
+    const auto corner = [&](SideId side) {
+      return faces.points[faces.triangles[triangle_of(side)][corner_of(side)]];
+    };
+    Box bounds;
+    for (const SideId side : hole.vertices) grow(bounds, corner(side));
+    const double width = (bounds.max - bounds.min).norm();
+    too_wide += width > largest ? 1 : 0;
+    if (width <= widest) continue;
+    widest = width;
+    place = corner(hole.vertices[0]);
+  }
+  if (too_wide == 0) return;
+  throw Error(ErrorCode::kNotClosed,
+              compose("{} of {} holes are wider than largest_hole, which is {}; the widest, {} "
+                          "across, passes through ({}, {}, {}): allow wider ones, thicken the "
+                          "surface, or take it as a sheet",
+                          too_wide, holes.size(), largest, widest, place[0], place[1], place[2]));
+}
+
+}  // namespace
+
+void repair_faces(InputFaces& faces, const BuildOptions& options, double tolerance) {
+  sew(faces, tolerance);
+  turn_outwards(faces);
+  find_topology(faces);
+  if (faces.topology.closed()) return;
+  pair_straightest(faces.triangles, faces.points, faces.topology);
+  const std::vector<BoundaryLoop> rims = find_rim_loops(faces.topology.opposite);
+  faces.report.boundary_loops = static_cast<Index>(rims.size());
+  if (options.largest_hole > 0) check_holes(rims, faces, options.largest_hole);
+  faces.repair = true;
+}
+
+void turn_inverted_parts(InputFaces& faces) {
+  Topology straightest;  // of parts that share edges
+  if (!faces.topology.non_manifold_sides.empty()) {
+    straightest = faces.topology;
+    pair_straightest(faces.triangles, faces.points, straightest);
+  }
+  const InvertedParts inverted = find_inverted_parts(
+      faces.triangles, faces.points,
+      straightest.opposite.empty() ? faces.topology.opposite : straightest.opposite);
+  faces.report.nesting_known = inverted.nesting_known;
+  if (inverted.parts == 0) return;
+  turn_faces(faces, inverted.must_turn);
+  find_topology(faces);
+  faces.report.flipped = inverted.all;
+  if (inverted.all) return;
+  faces.report.turned_parts = inverted.parts;
+  faces.report.turned_faces += static_cast<Index>(inverted.must_turn.count());
+}
+
+}  // namespace kdm
