@@ -55,10 +55,10 @@ Grid build_grid(const Mesh& mesh, const BuildOptions& options, const Progress& p
   grid->input = surface.report;
   report_progress(progress, 0.1, "build");
   const ConstructedCells made = construct_cells(
-      surface, options, tolerance_of(options, surface.diagonal) / surface.lattice.step,
+      surface, options, tolerance_of(options, surface.extent) / surface.lattice.step,
       depth_limit(options), part_of_progress(progress, 0.1, 0.8), *grid);
-  grid->tolerance = made.tolerance > 0 ? made.tolerance
-                                       : kUsualTolerance * surface.diagonal / surface.lattice.step;
+  grid->tolerance =
+      made.tolerance > 0 ? made.tolerance : kUsualTolerance * surface.extent / surface.lattice.step;
   report_progress(progress, 0.8, "link");
   if (surface.repair && grid->hits.empty()) {
     throw Error(ErrorCode::kNotClosed,

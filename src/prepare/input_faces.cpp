@@ -10,6 +10,7 @@
 #include "mesh/check_positions.h"
 #include "prepare/cancel.h"
 #include "prepare/edit_faces.h"
+#include "prepare/extent.h"
 #include "prepare/non_manifold_edges.h"
 #include "prepare/repair_faces.h"
 #include "prepare/weld.h"
@@ -98,13 +99,15 @@ void cancel_opposite_faces(InputFaces& faces) {
 
 // Says what the input is before anything is done to it.
 void describe(InputFaces& faces) {
+  const Extent extent = find_extent(faces.triangles, faces.points, faces.topology, faces.bounds);
   InputReport& report = faces.report;
   report.vertices = static_cast<Index>(faces.points.size());
   report.closed = faces.topology.closed();
   report.boundary_edges = faces.topology.boundary_edges;
   report.non_manifold_edges = faces.topology.non_manifold_edges;
   report.components = faces.topology.components;
-  report.extent = (faces.bounds.max - faces.bounds.min).norm();
+  report.extent = extent.diagonal;
+  report.stray_parts = extent.stray_parts;
 }
 
 // Makes surfaces that bound a solid, unless `faces.repair` says that this is left to do.

@@ -9,10 +9,10 @@
 
 namespace kdm {
 
-/// Returns how far the result may be from the input, in model units, if the diagonal of the input's
-/// bounding box has this length.
-inline double tolerance_of(const BuildOptions& options, double diagonal) {
-  return options.tolerance > 0 ? options.tolerance : options.relative_tolerance * diagonal;
+/// Returns how far the result may be from the input, in model units. `extent` is that of the input
+/// (see `InputReport::extent`).
+inline double tolerance_of(const BuildOptions& options, double extent) {
+  return options.tolerance > 0 ? options.tolerance : options.relative_tolerance * extent;
 }
 
 /// Checks the mesh and turns it into welded triangles. Of the options, the inside rule, the

@@ -104,7 +104,7 @@ Surface prepare_surface(const Mesh& mesh, const BuildOptions& options) {
   surface.report = faces.report;
   surface.lattice = lattice_over(faces.bounds);
   surface.report.lattice_step = surface.lattice.step;
-  surface.diagonal = (faces.bounds.max - faces.bounds.min).norm();
+  surface.extent = faces.report.extent;
   const LatticePoints points = to_lattice(faces, surface.lattice);
   surface.triangles.reserve(faces.triangles.size());
   for (const Triangle& t : faces.triangles) {

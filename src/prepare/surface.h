@@ -20,7 +20,7 @@ namespace kdm {
 /// that enclose a volume that is not negative.
 struct Surface {
   Lattice lattice;
-  double diagonal = 0;  ///< of the input's bounding box, model units
+  double extent = 0;  ///< what a relative tolerance is a fraction of (see InputReport), model units
   std::vector<LatticeTriangle> triangles;
   std::vector<Triangle> corners;    ///< the welded points (PointId) that the corners lie at
   std::vector<Plane> planes;        ///< of the triangles before rounding, in lattice units
