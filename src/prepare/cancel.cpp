@@ -2,6 +2,8 @@
 // Pairs each triangle with the first one over its points that is left and faces the other way.
 #include "prepare/cancel.h"
 
+#include "mesh/disjoint_sets.h"
+#include "mesh/edge_sides.h"
 #include "mesh/same_corners.h"
 
 namespace kdm {
@@ -41,6 +43,27 @@ Marks find_opposite_pairs(std::span<const Triangle> triangles, Index points,
     }
   });
   return paired;
+}
+
+bool some_part_cancels(std::span<const Triangle> triangles, Index points,
+                       const Topology& topology) {
+  const Marks cancelled = find_opposite_pairs(triangles, points, topology);
+  if (!cancelled.any()) return false;
+  DisjointSets parts(triangles.size());
+  EdgeSides(triangles, points).for_each_edge([&](PointId, std::span<const EdgeSide> edge) {
+    for (const EdgeSide& s : edge) parts.join(triangle_of(edge[0].side), triangle_of(s.side));
+  });
+  Marks something_is_left(triangles.size());
+  for (TriangleId t = 0; t < triangles.size(); ++t) {
+    if (!cancelled.test(t)) something_is_left.set(parts.find(t));
+  }
+  constexpr Index kFewest = 8;
+  std::vector<Index> size(triangles.size(), 0);
+  for (TriangleId t = 0; t < triangles.size(); ++t) {
+    const Index part = parts.find(t);
+    if (!something_is_left.test(part) && ++size[part] == kFewest) return true;
+  }
+  return false;
 }
 
 }  // namespace kdm

@@ -91,8 +91,10 @@ void cancel_opposite_faces(InputFaces& faces) {
   faces.report.cancelled_faces =
       keep_faces(faces, [&](std::size_t i) { return !cancelled.test(i); });
   if (faces.triangles.empty()) {
-    throw Error(ErrorCode::kInvalidMesh,
-                "the faces of the mesh cancel: each lies back to back with another");
+    throw Error(
+        faces.report.closed ? ErrorCode::kInvalidMesh : ErrorCode::kNotClosed,
+        "the surface encloses nothing: the faces of the mesh cancel, each lies back to back "
+        "with another; thicken the surface, or take it as a sheet");
   }
   find_topology(faces);
 }
@@ -114,7 +116,9 @@ void describe(InputFaces& faces) {
 void make_closed(InputFaces& faces, const BuildOptions& options) {
   const bool repair = options.inside == InsideRule::kRepair;
   if (!faces.topology.closed() && !repair) throw_not_closed(faces);
-  if (!faces.topology.closed()) {
+  const auto points = static_cast<Index>(faces.points.size());
+  if (repair &&
+      (!faces.topology.closed() || some_part_cancels(faces.triangles, points, faces.topology))) {
     repair_faces(faces, options, tolerance_of(options, faces.report.extent));
     if (faces.repair) return;
   }

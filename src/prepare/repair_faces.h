@@ -7,11 +7,12 @@
 
 namespace kdm {
 
-/// Repairs faces that do not form closed surfaces, for the rule `kRepair`: sews rims together where
-/// they are no further apart than the tolerance, turns neighbours to agree and parts to look
-/// outwards, and keeps one of several faces over the same corners. If the surface is still not
-/// closed, `faces.repair` is set. The report says what was done. `tolerance` is in model units.
-/// Throws `kNotClosed` if a hole is wider than the options allow.
+/// Repairs faces that do not form closed surfaces, or that lie wholly back to back, for the rule
+/// `kRepair`: sews rims together where they are no further apart than the tolerance, turns
+/// neighbours to agree and parts to look outwards, and keeps one of several faces over the same
+/// corners. If the surface is still not closed, `faces.repair` is set. The report says what was
+/// done. `tolerance` is in model units. Throws `kNotClosed` if a hole is wider than the options
+/// allow.
 void repair_faces(InputFaces& faces, const BuildOptions& options, double tolerance);
 
 /// Turns parts of closed surfaces that are inside out (see prepare/inverted_parts.h).
