@@ -19,9 +19,19 @@
 namespace kdm {
 namespace {
 
+// How far rims that are torn apart are sewn, in tolerances.
+constexpr double kMostTorn = 16;
+
 void sew(InputFaces& faces, double tolerance) {
-  faces.report.sewn_edges = sew_rims(tolerance, faces.triangles, faces.points);
-  if (faces.report.sewn_edges > 0) faces.report.sewing_distance = tolerance;
+  double reach = tolerance;
+  Index& sewn = faces.report.sewn_edges;
+  sewn = sew_rims(reach, faces.triangles, faces.points);
+  const double torn = torn_distance(kMostTorn * tolerance, faces.triangles, faces.points);
+  if (torn > tolerance) {
+    reach = torn;
+    sewn += sew_rims(reach, faces.triangles, faces.points);
+  }
+  if (sewn > 0) faces.report.sewing_distance = reach;
   drop_repeated_corners(faces);
   if (faces.triangles.empty()) {
     throw Error(ErrorCode::kNotClosed,

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 
+#include "geometry/triangle.h"
 #include "mesh/box_tree.h"
 #include "mesh/disjoint_sets.h"
 #include "mesh/edge_sides.h"
@@ -19,6 +20,13 @@ namespace {
 constexpr int kRounds = 3;
 // Limits the sides that one side is compared with: thousands may lie in one place.
 constexpr int kMostCandidates = 64;
+
+// When a surface counts as torn: the share of rim sides among its edges. How far torn rims are
+// sewn: the distance that nine of ten of them do not exceed, times this.
+constexpr double kLeastRims = 0.2;
+constexpr double kMoreThanMost = 1.5;
+// The cosine of the angle by which directions differ clearly.
+constexpr double kLeastTurn = 0.5;
 
 double distance_between(const Vec3& a, const Vec3& b) { return (a - b).cwiseAbs().maxCoeff(); }
 
@@ -107,6 +115,30 @@ class MatchFinder {
   BoxTree tree_;
 };
 
+// Returns the unit vector that leads from a rim side into its triangle, upright on the side.
+Vec3 inwards(const RimSide& rim, const std::vector<Triangle>& triangles,
+             const std::vector<Vec3>& points) {
+  const Triangle& t = triangles[rim.triangle];
+  const Vec3 along = points[rim.to] - points[rim.from];
+  Vec3 across = (points[t[0]] - points[rim.from]) + (points[t[1]] - points[rim.from]) +
+                (points[t[2]] - points[rim.from]);
+  const double square = along.squaredNorm();
+  if (square > 0) across -= along * (along.dot(across) / square);
+  return normalized_or_zero(across);
+}
+
+// Tells whether the triangles of two rim sides may have been joined along them: they are not over
+// each other, and neither lies between the two sides.
+bool lie_apart(const RimSide& a, const RimSide& b, const std::vector<Triangle>& triangles,
+               const std::vector<Vec3>& points) {
+  const Vec3 into_a = inwards(a, triangles, points);
+  const Vec3 into_b = inwards(b, triangles, points);
+  const Vec3 way =
+      normalized_or_zero((points[b.from] + points[b.to]) - (points[a.from] + points[a.to]));
+  return into_a.dot(into_b) < kLeastTurn &&
+         !(into_a.dot(way) > kLeastTurn && into_b.dot(way) < -kLeastTurn);
+}
+
 // Replaces the points of each set by the one with the lowest number, and moves that to their mean.
 void move_together(DisjointSets& sets, std::vector<Triangle>& triangles,
                    std::vector<Vec3>& points) {
@@ -149,6 +181,30 @@ Index sew_rims(double distance, std::vector<Triangle>& triangles, std::vector<Ve
     move_together(sets, triangles, points);
   }
   return sewn;
+}
+
+double torn_distance(double most, const std::vector<Triangle>& triangles,
+                     const std::vector<Vec3>& points) {
+  const std::vector<RimSide> rims = find_rim_sides(most, triangles, points);
+  std::size_t edges = 0;
+  EdgeSides(triangles, static_cast<Index>(points.size()))
+      .for_each_edge([&](Index, std::span<const EdgeSide>) { ++edges; });
+  if (!(static_cast<double>(rims.size()) > kLeastRims * static_cast<double>(edges))) return 0;
+  const MatchFinder finder(rims, points);
+  std::vector<Match> matches;
+  matches.reserve(rims.size());
+  for (Index i = 0; i < rims.size(); ++i) matches.push_back(finder.nearest(i));
+  std::vector<double> distances;
+  for (Index i = 0; i < rims.size(); ++i) {
+    const Index j = matches[i].other;
+    if (j == kNone || matches[j].other != i) continue;
+    if (lie_apart(rims[i], rims[j], triangles, points)) distances.push_back(matches[i].distance);
+  }
+  if (2 * distances.size() <= rims.size()) return 0;
+  const std::size_t place = distances.size() * 9 / 10;
+  std::nth_element(distances.begin(), distances.begin() + static_cast<std::ptrdiff_t>(place),
+                   distances.end());
+  return std::min(most, kMoreThanMost * distances[place]);
 }
 
 }  // namespace kdm

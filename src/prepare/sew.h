@@ -17,4 +17,11 @@ namespace kdm {
 /// with equal corners. Takes time n log n in the rim sides.
 Index sew_rims(double distance, std::vector<Triangle>& triangles, std::vector<Vec3>& points);
 
+/// Returns how far `sew_rims` must reach for a surface whose triangles are torn apart, `most` at
+/// most; 0 if it is not torn. It is if more than a fifth of its edges are rim sides, and more than
+/// half of these have a partner: each is the nearest to the other, within `most` and half the
+/// shorter side, and their triangles lie away from each other. Takes time n log n in the rim sides.
+double torn_distance(double most, const std::vector<Triangle>& triangles,
+                     const std::vector<Vec3>& points);
+
 }  // namespace kdm

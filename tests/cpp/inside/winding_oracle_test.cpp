@@ -196,14 +196,15 @@ TEST(WindingOracle, CracksLeaveNoTrace) {
   EXPECT_NEAR(shapes::signed_volume(out), shapes::signed_volume(intact), 0.01);
 }
 
-// Wider ones are not: the winding number closes the gaps.
+// Wider ones, beyond what torn surfaces are sewn at, are not: the winding number closes the gaps.
 TEST(WindingOracle, ATornSphereIsASphere) {
   const Mesh intact = shapes::icosphere(3);
-  const Mesh torn = shapes::jittered(shapes::soup(intact), 0.01, 9);
-  const Grid grid = build_grid(torn, {.relative_tolerance = 0.003});
+  const Mesh torn = shapes::jittered(shapes::soup(intact), 0.02, 9);
+  const Grid grid = build_grid(torn, {.tolerance = 0.0005});
+  EXPECT_EQ(grid.input().sewing_distance, 0);
   EXPECT_GT(grid.stats().invented_hits, 0u);
   const Mesh out = extract_sound(grid, "torn");
-  EXPECT_NEAR(shapes::signed_volume(out), shapes::signed_volume(intact), 0.05);
+  EXPECT_NEAR(shapes::signed_volume(out), shapes::signed_volume(intact), 0.1);
   for (const Vec3& p : out.positions) EXPECT_NEAR(p.norm(), 1, 0.1);
 }
 

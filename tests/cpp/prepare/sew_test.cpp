@@ -110,5 +110,34 @@ TEST(Sew, ThousandsInOnePlaceTakeNoTime) {
   EXPECT_LT(farthest_move(mesh, result), 0.01);
 }
 
+double torn_distance_of(const Mesh& mesh, double most) {
+  return torn_distance(most, mesh.triangles, mesh.positions);
+}
+
+TEST(Sew, FindsHowFarASurfaceIsTorn) {
+  const Mesh torn = shapes::jittered(shapes::soup(shapes::icosphere(3)), 0.01, 9);
+  const double distance = torn_distance_of(torn, 0.1);
+  EXPECT_GT(distance, 0.01);
+  EXPECT_LT(distance, 0.05);
+  EXPECT_EQ(torn_distance_of(torn, 0.02), 0.02);
+  // Hardly any rim has a partner as near as that.
+  EXPECT_EQ(torn_distance_of(torn, 0.001), 0);
+}
+
+TEST(Sew, WhatIsOpenIsNotTorn) {
+  EXPECT_EQ(torn_distance_of(shapes::torus(), 1), 0);
+  EXPECT_EQ(torn_distance_of(shapes::open(shapes::cube(), 2), 1), 0);
+  // A band, whose rims lie near each other, and two sheets over each other.
+  Mesh band = shapes::cylinder(1, 0.05, 32);
+  std::erase_if(band.triangles, [&](const Triangle& t) {
+    return band.positions[t[0]].z() == band.positions[t[1]].z() &&
+           band.positions[t[1]].z() == band.positions[t[2]].z();
+  });
+  EXPECT_EQ(torn_distance_of(band, 1), 0);
+  const Mesh sheet = shapes::grid_sheet(2, 2, [](double, double) { return 0; });
+  EXPECT_EQ(
+      torn_distance_of(shapes::merged({sheet, shapes::translated(sheet, Vec3(0, 0, 0.01))}), 1), 0);
+}
+
 }  // namespace
 }  // namespace kdm
