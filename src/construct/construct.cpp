@@ -102,8 +102,9 @@ class Construction {
         rule_(make_split_rule(surface, options, tolerance, depth)),
         lists_(surface.triangles),
         search_(surface.triangles),
-        budget_(surface.repair ? Budget::for_repair(surface.triangles.size(), model.work())
-                               : Budget()),
+        budget_(surface.repair || surface.patched
+                    ? Budget::for_repair(surface.triangles.size(), model.work())
+                    : Budget()),
         progress_(progress) {
     const std::size_t splits = 2 * surface.triangles.size();  // a guess
     grid.stats = {};

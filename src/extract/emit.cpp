@@ -45,7 +45,10 @@ Mesh emit(const GridData& grid, const DualMesh& mesh, const std::vector<Vec3>& n
     out.positions.push_back(single ? single_precision(grid.lattice, p) : grid.lattice.to_model(p));
   }
   const auto number = [&](Index half_edge) { return numbers[mesh.vertex[half_edge]]; };
-  const auto source = [&](Index t) { return grid.source_faces[grid.hits[mesh.hit[t]].plane()]; };
+  const auto source = [&](Index t) {
+    const Index face = grid.source_faces[grid.hits[mesh.hit[t]].plane()];
+    return face == kPatch ? kNone : face;
+  };
   std::vector<Index> quad_sources;
   std::vector<std::array<float, 3>> quad_normals;
   const auto add_normals = [&](std::initializer_list<Index> half_edges,

@@ -30,7 +30,8 @@ void count_stats(GridData& grid) {
   grid.stats.hits = static_cast<Index>(grid.hits.size());
   grid.stats.invented_hits = 0;
   for (HitId h = 0; h < grid.hits.size(); ++h) {
-    if (grid.invented(h)) ++grid.stats.invented_hits;
+    const Index source = grid.source_faces[grid.hits[h].plane()];
+    if (source == kNone || source == kPatch) ++grid.stats.invented_hits;
   }
   grid.stats.tolerance = grid.tolerance * grid.lattice.step;
   grid.stats.sheet = grid.sheet;

@@ -138,7 +138,8 @@ struct GridData {
   /// The planes of the input's faces with hits, lattice units, in the order of their first hits;
   /// normals point out of the solid.
   std::vector<Plane> planes;
-  std::vector<Index> source_faces;  ///< per plane the number of its input face; kNone: invented
+  std::vector<Index> source_faces;  ///< per plane the number of its input face; kPatch: of a patch
+                                    ///< that closes a hole; kNone: invented
   bool sheet = false;        ///< it is the grid of a sheet: half-edges may lie on the boundary
   std::vector<RimHit> rims;  ///< ascending by half-edge; a half-edge on the boundary may have none
   std::vector<KeptCorner> corners;  ///< ascending by half-edge; a loop has one at most
@@ -154,8 +155,8 @@ struct GridData {
   /// Returns the hits of splitting edge `i` (0 to 3) of a split.
   HitRange edge_hits(SplitId split, int i) const { return edge_hits(edge_of_split(split, i)); }
   const Plane& plane_of(HitId hit) const { return planes[hits[hit].plane()]; }
-  /// Returns whether the hit was invented to close a hole, so that its plane is that of no input
-  /// face.
+  /// Returns whether the hit was invented to close a hole, so that its plane is neither that of an
+  /// input face nor that of a patch.
   bool invented(HitId hit) const { return source_faces[hits[hit].plane()] == kNone; }
   Index splits() const { return static_cast<Index>(cells.size() / 2); }
   std::size_t bytes() const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sews and turns.
+// Sews, turns, patches and leaves out, in this order.
 #include "prepare/repair_faces.h"
 
 #include "text/compose.h"
@@ -11,13 +11,22 @@
 #include "mesh/boxes.h"
 #include "mesh/sides.h"
 #include "prepare/edit_faces.h"
+#include "prepare/holes.h"
 #include "prepare/inverted_parts.h"
 #include "prepare/non_manifold_edges.h"
 #include "prepare/orient.h"
+#include "prepare/patches.h"
 #include "prepare/sew.h"
+#include "prepare/sheets.h"
 
 namespace kdm {
 namespace {
+
+// Holes whose corners are within this part of the tolerance of a plane are closed by flat patches.
+constexpr double kFlatness = 0.25;
+// Sheets are left out only if they have no more than this share of the whole area. Otherwise they
+// may be what the model consists of: walls that do not meet exactly.
+constexpr double kMostLost = 0.05;
 
 // How far rims that are torn apart are sewn, in tolerances.
 constexpr double kMostTorn = 16;
@@ -41,13 +50,21 @@ void sew(InputFaces& faces, double tolerance) {
 }
 
 // Turns faces so that neighbours agree and parts look outwards. Of several faces over the same
-// corners one is kept.
-void turn_outwards(InputFaces& faces) {
+// corners one is kept. Returns which of the faces that are left belong to open parts that are seen
+// from both sides alike.
+Marks turn_outwards(InputFaces& faces) {
   const Orientation orientation = orient(faces.triangles, faces.points);
   turn_faces(faces, orientation.must_turn);
-  keep_faces(faces, [&](std::size_t i) { return orientation.copy_of[i] == kNone; });
+  Marks seen_from_both_sides;
+  keep_faces(faces, [&](std::size_t i) {
+    if (orientation.copy_of[i] != kNone) return false;
+    const OrientedPart& part = orientation.parts[orientation.part[i]];
+    seen_from_both_sides.push_back(part.sheet && !part.closed);
+    return true;
+  });
   faces.report.turned_faces = orientation.flipped_triangles;
   faces.report.duplicate_faces = orientation.copies;
+  return seen_from_both_sides;
 }
 
 // Throws if a hole's bounding box has a diagonal of more than `largest`, in model units.
@@ -75,18 +92,57 @@ void check_holes(const std::vector<BoundaryLoop>& holes, const InputFaces& faces
                           too_wide, holes.size(), largest, widest, place[0], place[1], place[2]));
 }
 
+void add_patch(const Patch& patch, InputFaces& faces) {
+  for (const Triangle& t : patch.triangles) {
+    faces.triangles.push_back(t);
+    faces.source_faces.push_back(patch.narrow ? kNone : kPatch);
+    faces.patch_planes.push_back({patch.normal, patch.point});
+  }
+  faces.report.patched_holes += static_cast<Index>(patch.holes.size());
+  faces.report.patch_area += patch.area;
+}
+
+// Closes the holes of solids, and leaves sheets out unless they have much area.
+void close_holes(InputFaces& faces, const Marks& seen_from_both_sides, double tolerance) {
+  const std::vector<Hole> holes =
+      find_holes(faces.triangles, static_cast<Index>(faces.points.size()), faces.topology.opposite);
+  const std::vector<Patch> patches =
+      make_patches(faces.triangles, faces.points, holes, kFlatness * tolerance);
+  const Sheets sheets = find_sheets(faces.triangles, faces.points, faces.topology.opposite, holes,
+                                    patches, seen_from_both_sides);
+  const bool negligible =
+      sheets.area_of_solids > 0 && sheets.area <= kMostLost * (sheets.area + sheets.area_of_solids);
+  if (sheets.parts > 0 && negligible) {
+    keep_faces(faces, [&](std::size_t i) { return !sheets.triangles.test(i); });
+    faces.bounds = bounds_of(faces);
+    faces.report.lost_parts = sheets.parts;
+    faces.report.lost_area = sheets.area;
+    faces.report.largest_lost = sheets.largest;
+  }
+  // If sheets stay, winding numbers close what is left open. They make more of wide mouths, behind
+  // which sheets may lie.
+  for (std::size_t i = 0; i < patches.size(); ++i) {
+    const bool useless =
+        sheets.useless_patches.test(i) || (!negligible && sheets.wide_patches.test(i));
+    if (!useless) add_patch(patches[i], faces);
+  }
+  find_topology(faces);
+}
+
 }  // namespace
 
 void repair_faces(InputFaces& faces, const BuildOptions& options, double tolerance) {
   sew(faces, tolerance);
-  turn_outwards(faces);
+  const Marks seen_from_both_sides = turn_outwards(faces);
   find_topology(faces);
   if (faces.topology.closed()) return;
   pair_straightest(faces.triangles, faces.points, faces.topology);
   const std::vector<BoundaryLoop> rims = find_rim_loops(faces.topology.opposite);
   faces.report.boundary_loops = static_cast<Index>(rims.size());
   if (options.largest_hole > 0) check_holes(rims, faces, options.largest_hole);
-  faces.repair = true;
+  if (options.winding_threshold == 0) close_holes(faces, seen_from_both_sides, tolerance);
+  faces.repair = !faces.topology.closed();
+  if (faces.repair) pair_straightest(faces.triangles, faces.points, faces.topology);
 }
 
 void turn_inverted_parts(InputFaces& faces) {

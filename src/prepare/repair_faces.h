@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Makes closed surfaces of faces that are open or turned inconsistently.
+// Makes closed surfaces of faces that are open, torn, doubled or turned inconsistently.
 #pragma once
 
 #include "kdmanifold/build.h"
@@ -8,11 +8,17 @@
 namespace kdm {
 
 /// Repairs faces that do not form closed surfaces, or that lie wholly back to back, for the rule
-/// `kRepair`: sews rims together where they are no further apart than the tolerance, turns
-/// neighbours to agree and parts to look outwards, and keeps one of several faces over the same
-/// corners. If the surface is still not closed, `faces.repair` is set. The report says what was
-/// done. `tolerance` is in model units. Throws `kNotClosed` if a hole is wider than the options
-/// allow.
+/// `kRepair`:
+/// - Rims no further apart than the tolerance are sewn together; further ones too if most rims are
+///   torn apart that far.
+/// - Neighbours are turned to agree, parts to look outwards; of several faces over the same corners
+///   one is kept.
+/// - Holes of parts that bound a solid are closed by patches. Sheets, which bound nothing, are left
+///   out if they have little area.
+///
+/// Where that does not close the surface, because sheets stay or since the options ask for a
+/// winding threshold, `faces.repair` is set. The report says what was done. `tolerance` is in model
+/// units. Throws `kNotClosed` if a hole is wider than the options allow.
 void repair_faces(InputFaces& faces, const BuildOptions& options, double tolerance);
 
 /// Turns parts of closed surfaces that are inside out (see prepare/inverted_parts.h).

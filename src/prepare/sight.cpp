@@ -26,20 +26,22 @@ class ShearedRay {
     forward_ = direction[z_] > 0;
   }
 
-  // Tells whether the ray meets the triangle further away than `least_distance`, measured along the
-  // axis on which the ray moves most.
-  bool meets(const Vec3& a, const Vec3& b, const Vec3& c, double least_distance) const {
+  // Returns 0 if the ray does not meet the triangle further away than `least_distance`, measured
+  // along the axis on which the ray moves most; else 1 if it leaves through the triangle, which it
+  // meets from behind, and -1 if it enters.
+  int crossing(const Vec3& a, const Vec3& b, const Vec3& c, double least_distance) const {
     const Vec3 p = sheared(a);
     const Vec3 q = sheared(b);
     const Vec3 r = sheared(c);
     const double u = r[0] * q[1] - r[1] * q[0];
     const double v = p[0] * r[1] - p[1] * r[0];
     const double w = q[0] * p[1] - q[1] * p[0];
-    if ((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0)) return false;
+    if ((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0)) return 0;
     const double sum = u + v + w;
-    if (sum == 0) return false;  // seen edge-on: its neighbours stop the ray
+    if (sum == 0) return 0;  // seen edge-on: its neighbours stop the ray
     const double distance = (u * p[2] + v * q[2] + w * r[2]) / sum;
-    return (forward_ ? distance : -distance) > least_distance;
+    if (!((forward_ ? distance : -distance) > least_distance)) return 0;
+    return forward_ == (sum < 0) ? 1 : -1;
   }
 
  private:
@@ -96,8 +98,20 @@ bool Sight::escapes(const Vec3& origin, const Vec3& direction, TriangleId from) 
   return !tree_.any_along(origin, direction, [&](Index i) {
     const Triangle& t = triangles_[triangle_in_[i]];
     return triangle_in_[i] != from &&
-           ray.meets(points_[t[0]], points_[t[1]], points_[t[2]], least_distance_);
+           ray.crossing(points_[t[0]], points_[t[1]], points_[t[2]], least_distance_) != 0;
   });
+}
+
+int Sight::winding(const Vec3& origin, const Vec3& direction, TriangleId from) const {
+  const ShearedRay ray(origin, direction);
+  int winding = 0;
+  tree_.any_along(origin, direction, [&](Index i) {
+    const Triangle& t = triangles_[triangle_in_[i]];
+    if (triangle_in_[i] == from) return false;
+    winding += ray.crossing(points_[t[0]], points_[t[1]], points_[t[2]], least_distance_);
+    return false;
+  });
+  return winding;
 }
 
 // Takes points of a cube, from a linear congruential generator, that lie within the unit sphere.

@@ -24,6 +24,11 @@ class Sight {
   /// share an edge. Takes logarithmic time on usual meshes. No component of `direction` may be 0.
   bool escapes(const Vec3& origin, const Vec3& direction, TriangleId from) const;
 
+  /// Returns the winding number of a closed surface just off a point of triangle `from`, on the
+  /// side to which `direction` leads: how often the ray leaves through the other triangles, less
+  /// how often it enters. See `escapes`.
+  int winding(const Vec3& origin, const Vec3& direction, TriangleId from) const;
+
  private:
   std::span<const Triangle> triangles_;
   const std::vector<Vec3>& points_;

@@ -37,6 +37,7 @@ void turn_around(InputFaces& faces, std::vector<LatticeTriangle>& lattice_triang
   }
   opposite = std::move(result);
   for (Triangle& t : faces.triangles) std::swap(t[1], t[2]);
+  for (PatchPlane& plane : faces.patch_planes) plane.normal = -plane.normal;
   for (LatticeTriangle& t : lattice_triangles) std::swap(t[1], t[2]);
 }
 
@@ -80,8 +81,8 @@ LatticePoints to_lattice(const InputFaces& faces, const Lattice& lattice) {
 }
 
 // Adds the planes of the surface's triangles, and marks and counts triangles without area.
-void find_planes(const std::vector<Triangle>& corners, const std::vector<Vec3>& exact,
-                 Surface& surface) {
+void find_planes(const InputFaces& faces, const std::vector<Vec3>& exact, Surface& surface) {
+  const std::vector<Triangle>& corners = faces.triangles;
   surface.planes.reserve(corners.size());
   surface.degenerate.reserve(corners.size());
   for (TriangleId i = 0; i < corners.size(); ++i) {
@@ -92,6 +93,13 @@ void find_planes(const std::vector<Triangle>& corners, const std::vector<Vec3>& 
     surface.report.degenerate_faces += degenerate ? 1 : 0;
     surface.planes.push_back(plane_of(exact[t[0]], exact[t[1]], exact[t[2]], surface.triangles[i]));
   }
+  Plane* plane = surface.planes.data() + corners.size() - faces.patch_planes.size();
+  for (const PatchPlane& patch : faces.patch_planes) {
+    if (patch.normal != Vec3::Zero()) {
+      *plane = {patch.normal, patch.normal.dot(surface.lattice.to_lattice(patch.point))};
+    }
+    ++plane;
+  }
 }
 
 }  // namespace
@@ -101,6 +109,7 @@ Surface prepare_surface(const Mesh& mesh, const BuildOptions& options) {
   Surface surface;
   surface.sheet = options.inside == InsideRule::kSheet;
   surface.repair = faces.repair;
+  surface.patched = !faces.patch_planes.empty();
   surface.report = faces.report;
   surface.lattice = lattice_over(faces.bounds);
   surface.report.lattice_step = surface.lattice.step;
@@ -114,7 +123,7 @@ Surface prepare_surface(const Mesh& mesh, const BuildOptions& options) {
     surface.report.flipped = true;
     turn_around(faces, surface.triangles);
   }
-  find_planes(faces.triangles, points.exact, surface);
+  find_planes(faces, points.exact, surface);
   surface.topology = std::move(faces.topology);
   surface.corners = std::move(faces.triangles);
   surface.source_faces = std::move(faces.source_faces);

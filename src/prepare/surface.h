@@ -24,13 +24,14 @@ struct Surface {
   std::vector<LatticeTriangle> triangles;
   std::vector<Triangle> corners;    ///< the welded points (PointId) that the corners lie at
   std::vector<Plane> planes;        ///< of the triangles before rounding, in lattice units
-  std::vector<Index> source_faces;  ///< the face of the input that each triangle came from
+  std::vector<Index> source_faces;  ///< as in InputFaces: the face that each triangle came from
   Marks degenerate;   ///< triangles without area on the lattice: no grid line crosses them
   Topology topology;  ///< which sides of the triangles are joined
   InputReport report;
-  bool sheet = false;   ///< it bounds no solid
-  bool repair = false;  ///< it is to bound a solid, but it is not closed or its triangles do not
-                        ///< face consistently
+  bool sheet = false;    ///< it bounds no solid
+  bool patched = false;  ///< some of its triangles close holes, and may cross the others
+  bool repair = false;   ///< it is to bound a solid, but it is not closed or its triangles do not
+                         ///< face consistently
 
   /// Returns whether sides of triangles may lack an opposite.
   bool has_rims() const { return sheet || repair; }

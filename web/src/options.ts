@@ -33,10 +33,14 @@ export interface BuildOptions {
   depth?: number;
   /**
    * Which winding numbers are inside:
-   * - `repair` (default): `positive` if the surface is closed and consistently oriented; any other
-   *   becomes a solid by its generalised winding number: holes are closed, faces turned back
-   * - `positive`: above 0, the union of overlapping and nested shells; closed input only
-   * - `odd`: odd numbers; closed input only
+   * - `repair` (default): `positive` if the surface is closed, once its parts that are inside out
+   *   are turned; any other becomes a solid: it is sewn and turned, patches over their corners
+   *   close its holes, and small parts that bound nothing are left out; where much bounds nothing,
+   *   the generalised winding number tells inside from outside
+   * - `positive`: above 0, the union of overlapping and nested shells; closed input only, taken as
+   *   its parts are turned
+   * - `odd`: odd numbers, so that a part within another is a cavity however it is turned; closed
+   *   input only
    * - `nonzero`: all but 0; closed input only
    * - `sheet`: there is no inside: all of the surface is kept, as it is turned, and open surfaces
    *   stay open; the result is a manifold with boundary. Any mesh will do; it comes apart where
@@ -44,9 +48,10 @@ export interface BuildOptions {
    */
   inside?: 'repair' | 'positive' | 'odd' | 'nonzero' | 'sheet';
   /**
-   * `repair`: winding numbers above this are inside, from 0 to below 1. Lower values close wider
-   * gaps, and let what bulges over the gaps bulge further. 0, the default: what keeps most of the
-   * input's area, at most 0.5.
+   * `repair`: winding numbers above this are inside, from 0 to below 1. Above 0 there are no
+   * patches. Lower values close wider gaps, and let what bulges over the gaps bulge further. 0, the
+   * default: patches close holes; where that does not do, what keeps most of the input's area, at
+   * most 0.5.
    */
   windingThreshold?: number;
   /**

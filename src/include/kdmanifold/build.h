@@ -25,9 +25,10 @@ enum class InsideRule {
   kPositive,  ///< winding number > 0: the union of overlapping and nested shells
   kOdd,       ///< odd winding numbers
   kNonzero,   ///< winding number != 0
-  kRepair,    ///< positive where the surface is closed and turned consistently; any other surface
-            ///< becomes a solid by its generalised winding number (Jacobson et al. 2013): holes are
-            ///< closed, faces turned back
+  kRepair,    ///< positive where the surface is closed, once parts that are inside out are turned;
+              ///< any other surface is sewn and turned, its holes are closed by patches, and small
+              ///< parts that bound nothing are left out; where much bounds nothing, the generalised
+              ///< winding number tells inside from outside (Jacobson et al. 2013)
   kSheet  ///< no solid: all of the surface is kept, as it is turned, and open surfaces stay open
           ///< (paper 2.3.2); the result is a manifold with boundary
 };
@@ -57,9 +58,10 @@ struct BuildOptions {
   /// axis.
   int depth = 0;
   InsideRule inside = InsideRule::kRepair;
-  /// For `kRepair`: winding numbers above this are inside. Not negative, below 1; 0 stands for the
-  /// number up to 0.5 that keeps most of the input's area. Lower numbers close wider gaps, and let
-  /// what bulges over the gaps bulge further.
+  /// For `kRepair`: winding numbers above this are inside. Not negative, below 1; at 0, patches
+  /// close holes, and where that does not do, the number up to 0.5 counts that keeps most of the
+  /// input's area. Above 0 there are no patches. Lower numbers close wider gaps, and let what
+  /// bulges over the gaps bulge further.
   double winding_threshold = 0;
   /// For `kRepair`: holes wider than this are not closed but refused with `kNotClosed`. The width
   /// is the diagonal of the hole's bounding box, in model units. Not negative; 0 closes all holes.
@@ -74,7 +76,7 @@ struct BuildOptions {
 /// Builds the grid of a mesh after joining vertices of exactly equal position. What the mesh must
 /// be depends on the options:
 /// - `kRepair`, the default: any mesh that encloses something. It may be open, crossing itself or
-///   turned inconsistently; a closed and consistently oriented mesh is taken exactly as it is.
+///   turned inconsistently; a closed mesh whose parts look outwards is taken exactly as it is.
 /// - `kPositive`, `kOdd`, `kNonzero`: closed and consistently oriented; shells may overlap, nest,
 ///   cross.
 /// - `kSheet`: any mesh; it comes apart where neighbours are turned against each other.

@@ -34,12 +34,18 @@ inline constexpr std::array kStrategyWords = {
          "midpoints in turn, to the full depth wherever a cell meets the surface"}};
 
 inline constexpr std::array kInsideWords = {
-    Word{"repair", InsideRule::kRepair,
-         "`positive` if the surface is closed and consistently oriented; any other becomes a solid "
-         "by its generalised winding number: holes are closed, faces turned back"},
+    Word{
+        "repair", InsideRule::kRepair,
+        "`positive` if the surface is closed, once its parts that are inside out are turned; any "
+        "other becomes a solid: it is sewn and turned, patches over their corners close its holes, "
+        "and small parts that bound nothing are left out; where much bounds nothing, the "
+        "generalised winding number tells inside from outside"},
     Word{"positive", InsideRule::kPositive,
-         "above 0, the union of overlapping and nested shells; closed input only"},
-    Word{"odd", InsideRule::kOdd, "odd numbers; closed input only"},
+         "above 0, the union of overlapping and nested shells; closed input only, taken as its "
+         "parts are turned"},
+    Word{"odd", InsideRule::kOdd,
+         "odd numbers, so that a part within another is a cavity however it is turned; closed "
+         "input only"},
     Word{"nonzero", InsideRule::kNonzero, "all but 0; closed input only"},
     Word{"sheet", InsideRule::kSheet,
          "there is no inside: all of the surface is kept, as it is turned, and open surfaces stay "
@@ -171,9 +177,10 @@ void for_each_field(Options& options, Visit&& visit) {
   visit(OptionField{.name = "winding_threshold",
                     .letter = "W",
                     .help = "`repair`: winding numbers above this are inside",
-                    .zero = "what keeps most of the input's area, at most 0.5",
-                    .details = "Lower values close wider gaps, and let what bulges over the gaps "
-                               "bulge further.",
+                    .zero = "patches close holes; where that does not do, what keeps most of the "
+                            "input's area, at most 0.5",
+                    .details = "Above 0 there are no patches. Lower values close wider gaps, and "
+                               "let what bulges over the gaps bulge further.",
                     .range = {.most = 1, .most_excluded = true}},
         options.winding_threshold);
   visit(OptionField{.name = "largest_hole",

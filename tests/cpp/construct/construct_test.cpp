@@ -20,7 +20,8 @@ TEST(Construct, HitsKnowTheirTriangles) {
       {shapes::open(shapes::icosphere(3), 40), InsideRule::kRepair},
       {shapes::open(shapes::torus(), 40), InsideRule::kSheet}};
   for (const auto& [mesh, rule] : cases) {
-    const BuildOptions options{.strategy = SplitStrategy::kUniform, .inside = rule};
+    const BuildOptions options{
+        .strategy = SplitStrategy::kUniform, .inside = rule, .winding_threshold = 0.5};
     const Surface surface = prepare_surface(mesh, options);
     const std::size_t planes_before = surface.planes.size();
     GridData grid;

@@ -19,7 +19,7 @@ class Kind {
  public:
   Kind(const Mesh& mesh, InsideRule rule)
       : rule_(rule),
-        surface_(prepare_surface(mesh, {.inside = rule})),
+        surface_(prepare_surface(mesh, {.inside = rule, .winding_threshold = 0.5})),
         model_(make_inside_model(surface_, {.inside = rule, .winding_threshold = 0.5}, 1.0)) {}
 
   const Surface& surface() const { return surface_; }

@@ -99,10 +99,15 @@ TEST(WindingOracle, EverythingBecomesASolid) {
       {"random triangles", random_triangles(60)}};
   for (const Damage& damage : cases) {
     for (const BuildOptions& options : all_strategies()) {
-      const std::string name =
-          damage.name + ", strategy " + std::to_string(static_cast<int>(options.strategy));
-      const Mesh out = extract_sound(build_grid(damage.mesh, options), name);
-      EXPECT_GT(shapes::signed_volume(out), 0) << name;
+      for (const double threshold : {0.0, 0.4}) {  // with and without patches
+        const std::string name = damage.name + ", strategy " +
+                                 std::to_string(static_cast<int>(options.strategy)) +
+                                 ", threshold " + std::to_string(threshold);
+        BuildOptions asked = options;
+        asked.winding_threshold = threshold;
+        const Mesh out = extract_sound(build_grid(damage.mesh, asked), name);
+        EXPECT_GT(shapes::signed_volume(out), 0) << name;
+      }
     }
   }
 }
@@ -135,7 +140,8 @@ TEST(WindingOracle, ClosedInputIsTakenAsItIs) {
 }
 
 TEST(WindingOracle, ABoxWithoutASideIsABox) {
-  const Grid grid = build_grid(shapes::open(shapes::cube(), 2), {.relative_tolerance = 0.01});
+  const Grid grid = build_grid(shapes::open(shapes::cube(), 2),
+                               {.relative_tolerance = 0.01, .winding_threshold = 0.5});
   const ExtractedMesh out = extract(grid);
   EXPECT_TRUE(check::check_mesh(out).two_manifold);
   EXPECT_GT(grid.stats().invented_hits, 0u);
@@ -243,11 +249,13 @@ TEST(WindingOracle, WhatComesToNothingIsRefused) {
     }
     mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
   }
-  try {
-    extract(build_grid(mesh));
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), ErrorCode::kNotClosed);
+  for (const double threshold : {0.0, 0.5}) {  // with and without patches
+    try {
+      extract(build_grid(mesh, {.winding_threshold = threshold}));
+      FAIL();
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::kNotClosed);
+    }
   }
 }
 
@@ -313,7 +321,8 @@ TEST(WindingOracle, HolesTooWideToBeClosedAreRefused) {
 }
 
 TEST(WindingOracle, GridsAreSavedWithWhatWasInvented) {
-  const Grid grid = build_grid(punched(shapes::icosphere(3), 3, 0.3), {.relative_tolerance = 0.01});
+  const Grid grid = build_grid(punched(shapes::icosphere(3), 3, 0.3),
+                               {.relative_tolerance = 0.01, .winding_threshold = 0.5});
   const std::vector<std::uint8_t> bytes = save_grid(grid);
   const Grid loaded = load_grid(bytes);
   EXPECT_EQ(save_grid(loaded), bytes);
