@@ -21,6 +21,16 @@ constexpr std::uint64_t kMostWork = std::uint64_t{1} << 27;
 // The cosine of 160 degrees.
 constexpr double kFoldCosine = -0.9396926207859084;
 
+// The height of a triangle, as a part of its longest side, below which it counts as a fold.
+constexpr double kLeastHeight = 1e-4;
+
+// `doubled` is twice the area vector of the triangle.
+bool has_no_height(const Vec3& doubled, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const double longest =
+      std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+  return !(doubled.norm() > kLeastHeight * longest);
+}
+
 bool is_fold(const Vec3& a, const Vec3& b) {
   return a.dot(b) < kFoldCosine * std::sqrt(a.squaredNorm() * b.squaredNorm());
 }
@@ -133,6 +143,7 @@ void LeastAreaPatch::find_best(std::size_t low, std::size_t high) {
     if (found && !(cost < best)) continue;
     const Vec3 own = normal(low, apex, high);
     cost.area += 0.5 * own.norm();
+    cost.folds += has_no_height(own, corners_[low], corners_[apex], corners_[high]) ? 1 : 0;
     cost.folds += is_fold(own, normal_below(low, apex)) ? 1 : 0;
     cost.folds += is_fold(own, normal_below(apex, high)) ? 1 : 0;
     if (is_last_edge) cost.folds += is_fold(own, beyond_[high]) ? 1 : 0;

@@ -28,10 +28,11 @@ class LeastAreaPatch {
   /// points.
   ///
   /// Of all patches the one is made that has the fewest folds and, of these, the least area. A fold
-  /// is an edge at which the surface turns by more than 160 degrees, or a chord that is an edge of
-  /// the mesh already. The time grows with the third power of the corners. Therefore polygons of
-  /// more than 500 corners, or fewer once much time is spent, are divided first: a patch over some
-  /// of the corners, spread evenly, leaves polygons along the rest.
+  /// is an edge at which the surface turns by more than 160 degrees, a chord that is an edge of the
+  /// mesh already, or a triangle without height, behind which a fold may hide. The time grows with
+  /// the third power of the corners. Therefore polygons of more than 500 corners, or fewer once
+  /// much time is spent, are divided first: a patch over some of the corners, spread evenly, leaves
+  /// polygons along the rest.
   void make(std::span<const PointId> polygon, std::span<const Vec3> beyond,
             std::vector<Triangle>& out);
 
