@@ -11,6 +11,7 @@
 #include "mesh/boxes.h"
 #include "mesh/sides.h"
 #include "prepare/edit_faces.h"
+#include "prepare/extent.h"
 #include "prepare/holes.h"
 #include "prepare/inverted_parts.h"
 #include "prepare/non_manifold_edges.h"
@@ -127,6 +128,10 @@ void close_holes(InputFaces& faces, const Marks& seen_from_both_sides, double to
     if (!useless) add_patch(patches[i], faces);
   }
   find_topology(faces);
+  if (faces.report.lost_parts > 0) {
+    faces.report.extent =
+        find_extent(faces.triangles, faces.points, faces.topology, faces.bounds).diagonal;
+  }
 }
 
 }  // namespace

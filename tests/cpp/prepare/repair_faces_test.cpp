@@ -71,6 +71,22 @@ TEST(RepairFaces, AnOpenBoxIsTheBoxExactly) {
   EXPECT_FALSE(result.input.closed);
 }
 
+// The rim is not flat; what closes it best is the edge that is missing.
+TEST(RepairFaces, ABoxWithoutTwoSidesIsTheBox) {
+  Mesh open = shapes::subdivided(shapes::subdivided(shapes::cube()));
+  std::erase_if(open.triangles, [&](const Triangle& t) {
+    const auto on = [&](int axis) {
+      return std::all_of(t.begin(), t.end(),
+                         [&](Index v) { return open.positions[v][axis] < 1e-9; });
+    };
+    return on(0) || on(2);
+  });
+  const Result result = converted(open);
+  EXPECT_EQ(result.input.patched_holes, 1u);
+  EXPECT_NEAR(result.input.patch_area, 2, 1e-9);
+  EXPECT_NEAR(result.check.volume, 1, 1e-5);
+}
+
 TEST(RepairFaces, ATubeGetsTwoFlatEnds) {
   for (const double height : {0.7, 2.0, 9.0}) {
     const Result result = converted(tube(1, height), {.tolerance = 0.002});
@@ -136,6 +152,7 @@ TEST(RepairFaces, SmallSheetsAreLeftOutAndReported) {
   EXPECT_NEAR(result.input.largest_lost, 0.09, 1e-9);
   EXPECT_EQ(result.mesh.triangles.size(), 12u);
   EXPECT_NEAR(result.check.volume, 1, 1e-6);
+  EXPECT_NEAR(result.input.extent, std::sqrt(3), 1e-9);  // of what is left
 }
 
 // Walls that are not joined to each other are all that the model has.
