@@ -5,13 +5,16 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 #include "mesh/boxes.h"
 #include "mesh/disjoint_sets.h"
+#include "mesh/groups.h"
 #include "mesh/measure.h"
 #include "mesh/nesting.h"
 #include "mesh/scale.h"
 #include "mesh/sides.h"
+#include "prepare/outside_in.h"
 
 namespace kdm {
 namespace {
@@ -23,9 +26,13 @@ constexpr double kMostRoundingVolume = 1e-10;
 class PartTurner {
  public:
   PartTurner(std::span<const Triangle> triangles, const std::vector<Vec3>& points,
-             std::span<const SideId> opposite)
+             const Topology& topology)
       : triangles_(triangles), scaled_(scale_to_one(points, triangles)) {
-    find_parts(opposite);
+    find_parts(topology.opposite);
+    shares_edges_.assign(shells_.size());
+    for (const SideId side : topology.non_manifold_sides) {
+      shares_edges_.set(part_of_[triangle_of(side)]);
+    }
     measure();
   }
 
@@ -94,8 +101,25 @@ class PartTurner {
     return find_enclosures(Polygons(mesh), scaled_.positions, part_of_, shells_);
   }
 
+  // Tells whether the faces of a part that is turned inwards bound what they should as they are.
+  // Where parts share edges, they may be pieces of one surface: a notch counts as such a part, but
+  // what it is taken off need not be a part that holds it.
+  bool bounds_something(Index part) {
+    if (!shares_edges_.test(part)) return false;
+    constexpr Index kSamples = 32;
+    constexpr double kLeastShare = 0.9;
+    if (!sight_) {
+      sight_.emplace(triangles_, scaled_.positions, Marks(triangles_.size()));
+      triangles_of_ = Groups(shells_.size(), [&](const auto& put) {
+        for (TriangleId t = 0; t < triangles_.size(); ++t) put(part_of_[t], t);
+      });
+    }
+    return share_that_bounds(triangles_, scaled_.positions, *sight_, triangles_of_.of(part),
+                             kSamples) >= kLeastShare;
+  }
+
   // Tells which parts must be turned. Larger parts are decided before smaller ones.
-  Marks decide(const std::vector<Enclosure>& enclosures) const {
+  Marks decide(const std::vector<Enclosure>& enclosures) {
     std::vector<Index> order(shells_.size());
     std::iota(order.begin(), order.end(), Index{0});
     std::sort(order.begin(), order.end(),
@@ -113,7 +137,8 @@ class PartTurner {
         winding += turned.test(outer) ? -sign_[outer] : sign_[outer];
         if (smallest == kNone || size_[outer] < size_[smallest]) smallest = outer;
       }
-      turned.set(part, winding > 0 ? turned.test(smallest) : sign_[part] < 0);
+      turned.set(part,
+                 winding > 0 ? turned.test(smallest) : sign_[part] < 0 && !bounds_something(part));
     }
     return turned;
   }
@@ -122,16 +147,18 @@ class PartTurner {
   ScaledPositions scaled_;
   std::vector<Index> part_of_;  // per triangle
   std::vector<Shell> shells_;   // per part
+  Marks shares_edges_;          // per part
   std::vector<double> size_;    // per part: its volume without sign
   std::vector<int> sign_;       // per part: of its volume; 0 if it is open or encloses nothing
+  std::optional<Sight> sight_;  // these two only if a part may have to be turned
+  Groups triangles_of_;         // per part
 };
 
 }  // namespace
 
 InvertedParts find_inverted_parts(std::span<const Triangle> triangles,
-                                  const std::vector<Vec3>& points,
-                                  std::span<const SideId> opposite) {
-  return PartTurner(triangles, points, opposite).run();
+                                  const std::vector<Vec3>& points, const Topology& topology) {
+  return PartTurner(triangles, points, topology).run();
 }
 
 }  // namespace kdm

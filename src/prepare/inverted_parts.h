@@ -7,6 +7,7 @@
 
 #include "mesh/marks.h"
 #include "mesh/numbers.h"
+#include "mesh/topology.h"
 
 namespace kdm {
 
@@ -27,9 +28,10 @@ struct InvertedParts {
 /// time. Otherwise parts are looked at from the outermost inwards. A part that lies in others is
 /// first turned along with the smallest of these. Then the number of containing parts that look
 /// outwards, less those that look inwards, tells whether there is material round the part. If so,
-/// it stays: it is a cavity, or it bounds what is solid already. If not, it comes to look outwards.
+/// it stays: it is a cavity, or it bounds what is solid already. If not, it comes to look outwards,
+/// unless it shares edges with others and nearly all of its faces have the solid of the whole
+/// behind them as they are.
 InvertedParts find_inverted_parts(std::span<const Triangle> triangles,
-                                  const std::vector<Vec3>& points,
-                                  std::span<const SideId> opposite);
+                                  const std::vector<Vec3>& points, const Topology& topology);
 
 }  // namespace kdm

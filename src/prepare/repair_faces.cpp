@@ -157,8 +157,7 @@ void turn_inverted_parts(InputFaces& faces) {
     pair_straightest(faces.triangles, faces.points, straightest);
   }
   const InvertedParts inverted = find_inverted_parts(
-      faces.triangles, faces.points,
-      straightest.opposite.empty() ? faces.topology.opposite : straightest.opposite);
+      faces.triangles, faces.points, straightest.opposite.empty() ? faces.topology : straightest);
   faces.report.nesting_known = inverted.nesting_known;
   if (inverted.parts == 0) return;
   turn_faces(faces, inverted.must_turn);

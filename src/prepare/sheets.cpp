@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "mesh/boxes.h"
 #include "mesh/disjoint_sets.h"
@@ -33,6 +34,7 @@ constexpr double kLeastVolume = 1e-3;
 constexpr double kHarmlessPatches = 0.02;
 constexpr double kMostOutsideIn = 0.1;
 constexpr double kMostOfAll = 0.01;
+constexpr Index kSamples = 128;
 
 struct OpenPart {
   Box bounds;
@@ -74,11 +76,13 @@ Marks find_turned(const std::vector<OpenPart>& parts, const Marks& is_a_sheet,
     if (is_a_sheet.test(p) || !(patched > kHarmlessPatches * parts[p].own.area)) continue;
     closed.clear();
     for (const TriangleId t : triangles_of.of(p)) closed.push_back(triangles[t]);
-    const auto own = static_cast<Index>(closed.size());
+    std::vector<TriangleId> own(closed.size());
+    std::iota(own.begin(), own.end(), TriangleId{0});
     for (const Index i : patches_of.of(p)) {
       closed.insert(closed.end(), patches[i].triangles.begin(), patches[i].triangles.end());
     }
-    double share = share_outside_in(closed, own, positions);
+    const Sight sight(closed, positions, Marks(closed.size()));
+    double share = share_outside_in(closed, positions, sight, own, kSamples);
     if (parts[p].closed.volume < 0) share = std::min(share, 1 - share);  // it may be turned itself
     turned.set(p, share > kMostOutsideIn && share * parts[p].own.area > kMostOfAll * whole);
   }

@@ -26,7 +26,7 @@ Mesh box_within(double half) {
 InvertedParts inverted_parts_of(const Mesh& mesh) {
   const Topology topology =
       build_topology(mesh.triangles, static_cast<Index>(mesh.positions.size()));
-  return find_inverted_parts(mesh.triangles, mesh.positions, topology.opposite);
+  return find_inverted_parts(mesh.triangles, mesh.positions, topology);
 }
 
 struct Built {
@@ -122,6 +122,41 @@ TEST(InvertedParts, ACavityThatTouchesTheOutsideStays) {
   const Built result = built(mesh);
   EXPECT_EQ(result.input.turned_parts, 0u);
   EXPECT_NEAR(result.volume, 18, 0.1);
+}
+
+// A body with its backs, whose quads are cut along the other diagonals.
+TEST(InvertedParts, BacksWithOtherTrianglesAreTurned) {
+  Mesh front;
+  Mesh back;
+  front.positions = back.positions = shapes::cube().positions;
+  const Mesh cube = shapes::cube();
+  for (std::size_t i = 0; i < 12; i += 2) {
+    // Two triangles that share an edge become one quad, and are cut the other way.
+    const Triangle& a = cube.triangles[i];
+    const Triangle& b = cube.triangles[i + 1];
+    int apex = 0;
+    while (std::find(b.begin(), b.end(), a[apex]) != b.end()) ++apex;
+    int other = 0;
+    while (std::find(a.begin(), a.end(), b[other]) != a.end()) ++other;
+    const Index p = a[apex];
+    const Index q = a[(apex + 1) % 3];
+    const Index r = b[other];
+    const Index s = a[(apex + 2) % 3];
+    front.triangles.insert(front.triangles.end(), {{p, q, s}, {q, r, s}});
+    back.triangles.insert(back.triangles.end(), {{p, r, q}, {p, s, r}});
+  }
+  const Built result = built(shapes::merged({front, back}));
+  EXPECT_EQ(result.input.turned_parts, 1u);
+  EXPECT_NEAR(result.volume, 1, 1e-6);
+}
+
+// A notch that is joined to its body along edges of four faces only, and reaches out of the part
+// that it is taken off: a piece of the surface, though its volume is negative.
+TEST(InvertedParts, ANotchStays) {
+  const Mesh whole = shapes::voxels(3, 3, 1, [](int x, int y, int) { return x != 1 || y != 1; });
+  const Built expected = built(whole);
+  EXPECT_EQ(expected.input.turned_parts, 0u);
+  EXPECT_NEAR(expected.volume, shapes::signed_volume(whole), 1e-6);
 }
 
 // The other rules take the surface as it is turned.

@@ -9,10 +9,14 @@
 namespace kdm {
 namespace {
 
-double share(const Mesh& mesh) {
-  return share_outside_in(mesh.triangles, static_cast<Index>(mesh.triangles.size()),
-                          mesh.positions);
+double share(const Mesh& mesh, Index counted) {
+  const Sight sight(mesh.triangles, mesh.positions, Marks(mesh.triangles.size()));
+  std::vector<TriangleId> first;
+  for (TriangleId t = 0; t < counted; ++t) first.push_back(t);
+  return share_outside_in(mesh.triangles, mesh.positions, sight, first, 128);
 }
+
+double share(const Mesh& mesh) { return share(mesh, static_cast<Index>(mesh.triangles.size())); }
 
 TEST(OutsideIn, NothingOfAProperSurfaceIs) {
   EXPECT_EQ(share(shapes::cube()), 0);
@@ -36,11 +40,26 @@ TEST(OutsideIn, PartOfOneThatPassesThroughItselfIs) {
   EXPECT_LT(share(turned), 0.9);
 }
 
-TEST(OutsideIn, CountsTheFirstTrianglesOnly) {
+TEST(OutsideIn, CountsSomeTrianglesOnly) {
   const Mesh inverted = shapes::inverted(shapes::translated(shapes::cube(), Vec3(5, 0, 0)));
   const Mesh mesh = shapes::merged({shapes::cube(), inverted});
-  EXPECT_EQ(share_outside_in(mesh.triangles, 12, mesh.positions), 0);
+  EXPECT_EQ(share(mesh, 12), 0);
   EXPECT_NEAR(share(mesh), 0.5, 0.01);
+}
+
+TEST(OutsideIn, TellsWhatBoundsSomething) {
+  const auto bounding = [](const Mesh& mesh) {
+    const Sight sight(mesh.triangles, mesh.positions, Marks(mesh.triangles.size()));
+    std::vector<TriangleId> all;
+    for (TriangleId t = 0; t < mesh.triangles.size(); ++t) all.push_back(t);
+    return share_that_bounds(mesh.triangles, mesh.positions, sight, all, 128);
+  };
+  EXPECT_EQ(bounding(shapes::torus()), 1);
+  EXPECT_EQ(bounding(shapes::nested_spheres()), 1);
+  EXPECT_EQ(bounding(shapes::inverted(shapes::torus())), 0);
+  // The inner one of two, and a body with its back.
+  EXPECT_NEAR(bounding(shapes::nested_shells()), 0.8, 0.15);
+  EXPECT_EQ(bounding(shapes::merged({shapes::cube(), shapes::inverted(shapes::cube())})), 0);
 }
 
 }  // namespace
