@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-#include "mesh/nesting.h"
 #include "mesh/boxes.h"
 #include "mesh/measure.h"
+#include "mesh/nesting.h"
 #include "mesh/scale.h"
 
 namespace kdm {

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesh/nesting.h"
 #include "mesh/boxes.h"
 #include "mesh/disjoint_sets.h"
 #include "mesh/measure.h"
+#include "mesh/nesting.h"
 #include "mesh/polygons.h"
 #include "mesh/scale.h"
 

@@ -11,8 +11,8 @@ using PointId = Index;     ///< a position, which several faces share
 using TriangleId = Index;  ///< a face of the input that construction sees
 using SideId = Index;      ///< a side of an input triangle, or its first corner: mesh/sides.h
 
-/// The source face of triangles that close holes of the input. They have planes of their own, unlike
-/// hits that are invented where there is no triangle (kNone). Results say kNone for both.
+/// The source face of triangles that close holes of the input. They have planes of their own,
+/// unlike hits that are invented where there is no triangle (kNone). Results say kNone for both.
 inline constexpr Index kPatch = kNone - 1;
 
 // Of a grid; grid/grid_data.h has the sketch.
