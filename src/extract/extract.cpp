@@ -101,6 +101,14 @@ void leave_parts_out(const GridData& grid, Parts wanted, ExtractedMesh& out) {
   }
 }
 
+// Throws if nothing of the surface has come out.
+void check_not_empty(const ExtractedMesh& out) {
+  if (!out.triangles.empty() || !out.quads.empty()) return;
+  throw Error(ErrorCode::kEmptyResult,
+              "nothing of the surface is left: it is nowhere wider than the tolerance or the cells "
+              "of the grid; take a smaller tolerance or a greater depth, or thicken the surface");
+}
+
 }  // namespace
 
 ExtractedMesh extract(const Grid& handle, const ExtractOptions& options,
@@ -119,6 +127,7 @@ ExtractedMesh extract(const Grid& handle, const ExtractOptions& options,
   static_cast<Mesh&>(out) =
       emit(grid, mesh, normals, options.quads, options.strict == Strict::kEmbedded);
   if (!grid.sheet) leave_parts_out(grid, options.parts, out);
+  check_not_empty(out);
   report_progress(progress, 1.0, "faces");
   return out;
 } catch (const std::bad_alloc&) {

@@ -12,6 +12,8 @@ const char* error_code_name(ErrorCode code) {
       return "INVALID_OPTION";
     case ErrorCode::kNotClosed:
       return "NOT_CLOSED";
+    case ErrorCode::kEmptyResult:
+      return "EMPTY_RESULT";
     case ErrorCode::kParseError:
       return "PARSE_ERROR";
     case ErrorCode::kIoError:

@@ -8,6 +8,7 @@ import type { Signal } from './outside-types.js';
  * - `INVALID_OPTION`: an option is unknown or out of its range
  * - `NOT_CLOSED`: the input encloses nothing, has a hole wider than `largestHole`, or is open or
  *   inconsistently oriented where the inside rule wants it closed
+ * - `EMPTY_RESULT`: nothing of the surface is left at this tolerance or depth
  * - `PARSE_ERROR`: a file's content is malformed; the message names line, byte or rule
  * - `IO_ERROR`: a file cannot be read or written, or its extension is unknown
  * - `OUT_OF_MEMORY`: the 4 GB that WebAssembly has, or what the machine gives, were not enough
@@ -20,6 +21,7 @@ export type ErrorCode =
   | 'INVALID_MESH'
   | 'INVALID_OPTION'
   | 'NOT_CLOSED'
+  | 'EMPTY_RESULT'
   | 'PARSE_ERROR'
   | 'IO_ERROR'
   | 'OUT_OF_MEMORY'

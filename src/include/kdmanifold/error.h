@@ -15,6 +15,7 @@ enum class ErrorCode {
   kNotClosed,  ///< the inside rule wants the input closed and consistently oriented, and it is not:
                ///< the message has the count and the first edge at fault; or a hole is too wide, or
                ///< the surface encloses nothing
+  kEmptyResult,  ///< nothing of the surface is left at this tolerance or depth
   kParseError,   ///< a file's content is malformed: the message names line, byte or rule
   kIoError,      ///< a file cannot be opened, read or written
   kOutOfMemory,  ///< an allocation failed; nothing was kept

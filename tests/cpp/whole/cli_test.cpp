@@ -488,6 +488,13 @@ TEST_F(Cli, SheetsPassTheCheckWithABoundary) {
       << "a solid must be";
 }
 
+TEST_F(Cli, ThatNothingIsLeftIsSaid) {
+  for (const char* options : {"--tolerance 1e9", "--depth 1"}) {
+    EXPECT_NE(complaint(std::string("cube.obj -o out.obj ") + options).find("nothing"),
+              std::string::npos);
+  }
+}
+
 TEST_F(Cli, BadInputIsNamedAndLeavesNothing) {
   EXPECT_EQ(complaint("none.obj -o out.obj").rfind("none.obj: cannot be read", 0), 0u);
   EXPECT_EQ(complaint("none.txt -o out.obj").rfind("none.txt: ", 0), 0u);
