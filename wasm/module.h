@@ -36,7 +36,16 @@ inline val extract(const Grid& grid, val options, val progress) {
     const ExtractedMesh mesh =
         kdm::extract(grid, to_options<ExtractOptions>(options), to_progress(progress));
     val to = from_mesh(mesh, "Float32Array");
-    to.set("report", from_report(mesh.report));
+    val report = from_report(mesh.report);
+    val warnings = val::array();
+    for (const Warning& warning : mesh.warnings) {
+      val entry = val::object();
+      entry.set("code", warning.code);
+      entry.set("message", warning.message);
+      warnings.call<void>("push", entry);
+    }
+    report.set("warnings", warnings);
+    to.set("report", report);
     return to;
   });
 }

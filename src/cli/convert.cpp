@@ -115,6 +115,7 @@ void work(const Command& command, const Task& task, ProgressLine& progress, RunR
   report.grid = grid.stats();
   report.output = describe(result);
   report.extracted = result.report;
+  report.warnings = result.warnings;
   if (command.report.check) report.self_intersections = find_self_intersections(result).pairs;
 }
 

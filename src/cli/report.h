@@ -23,6 +23,7 @@ struct RunReport {
   GridStats grid;
   MeshReport output;
   ExtractReport extracted;
+  std::vector<Warning> warnings;
   std::uint64_t self_intersections = 0;  ///< of the output; with --check only
   Seconds seconds;
   std::uint64_t peak_bytes = 0;    ///< most memory the process held; 0: unknown

@@ -79,6 +79,10 @@ Json report_as_json(const RunReport& report, const Command& command) {
   if (converts(command)) {
     json["grid"] = all_fields(report.grid);
     json["output"] = output_json(report.output, report.extracted);
+    json["warnings"] = Json::array();
+    for (const Warning& warning : report.warnings) {
+      json["warnings"].push_back({{"code", warning.code}, {"message", warning.message}});
+    }
   }
   if (command.report.check) {
     json["output"]["selfIntersections"] = report.self_intersections;

@@ -126,7 +126,11 @@ std::string result_text(const RunReport& report, const Command& command, const T
 }  // namespace
 
 std::string report_as_text(const RunReport& report, const Command& command, const Task& task) {
-  std::string text = input_text(report, command, task);
+  std::string text;
+  for (const Warning& warning : report.warnings) {
+    text += fmt::format("warning  {}\n", warning.message);
+  }
+  text += input_text(report, command, task);
   if (command.report.stats) text += defects_text(report.defects);
   if (converts(command)) text += result_text(report, command, task);
   return text + seconds_text(report, command);

@@ -57,6 +57,7 @@ Grid build_grid(const Mesh& mesh, const BuildOptions& options, const Progress& p
   const ConstructedCells made = construct_cells(
       surface, options, tolerance_of(options, surface.extent) / surface.lattice.step,
       depth_limit(options), part_of_progress(progress, 0.1, 0.8), *grid);
+  grid->stats.asked_tolerance = tolerance_of(options, surface.extent);
   grid->tolerance =
       made.tolerance > 0 ? made.tolerance : kUsualTolerance * surface.extent / surface.lattice.step;
   report_progress(progress, 0.8, "link");

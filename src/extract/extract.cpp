@@ -16,9 +16,11 @@
 #include "extract/place/add_vertices.h"
 #include "extract/place/normals.h"
 #include "extract/place/place.h"
+#include "extract/warnings.h"
 #include "kdmanifold/error.h"
 #include "kdmanifold/options.h"
 #include "mesh/boundary_loops.h"
+#include "mesh/measure.h"
 #include "mesh/progress.h"
 
 namespace kdm {
@@ -101,6 +103,19 @@ void leave_parts_out(const GridData& grid, Parts wanted, ExtractedMesh& out) {
   }
 }
 
+double area_of(const Mesh& mesh) {
+  Measure sum;
+  const auto add = [&](Index a, Index b, Index c) {
+    sum.add(mesh.positions[a], mesh.positions[b], mesh.positions[c]);
+  };
+  for (const Triangle& t : mesh.triangles) add(t[0], t[1], t[2]);
+  for (const Quad& q : mesh.quads) {
+    add(q[0], q[1], q[2]);
+    add(q[0], q[2], q[3]);
+  }
+  return sum.area;
+}
+
 // Throws if nothing of the surface has come out.
 void check_not_empty(const ExtractedMesh& out) {
   if (!out.triangles.empty() || !out.quads.empty()) return;
@@ -128,6 +143,7 @@ ExtractedMesh extract(const Grid& handle, const ExtractOptions& options,
       emit(grid, mesh, normals, options.quads, options.strict == Strict::kEmbedded);
   if (!grid.sheet) leave_parts_out(grid, options.parts, out);
   check_not_empty(out);
+  out.warnings = collect_warnings(grid.input, grid.stats, out.report, area_of(out));
   report_progress(progress, 1.0, "faces");
   return out;
 } catch (const std::bad_alloc&) {

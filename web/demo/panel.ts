@@ -24,6 +24,7 @@ export function showBusy(): void {
   element('error').hidden = true;
   element('busy').hidden = false;
   element('verdict').textContent = 'Converting…';
+  element('warnings').replaceChildren();
   element('remedy').textContent = '';
   element('advice').hidden = true;
   element<HTMLProgressElement>('progress').removeAttribute('value');
@@ -45,11 +46,18 @@ export function showResult({ report }: Conversion, thickness = 0): void {
   const faces = [`${number.format(output.triangles)} triangles`];
   if (output.quads > 0) faces.push(`${number.format(output.quads)} quads`);
   element('output-name').textContent = faces.join(', ');
+  element('warnings').replaceChildren(...report.warnings.map(({ message }) => warningOf(message)));
   element('remedy').textContent = remedyOf(report, thickness);
   element('advice').hidden = !isMostlyNew(report);
   showFacts(report);
   finish('done');
   enableDownloads(true);
+}
+
+function warningOf(message: string): HTMLElement {
+  const item = document.createElement('li');
+  item.textContent = `${message[0]?.toUpperCase()}${message.slice(1)}.`;
+  return item;
 }
 
 /** What is wrong with the input, in words. */

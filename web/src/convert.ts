@@ -43,6 +43,7 @@ export function convert(
         input: grid.input,
         grid: grid.stats,
         output: pick({ ...described, ...report }, outputKeys),
+        warnings: report.warnings,
         seconds: { build: (built - started) / 1000, extract: (extracted - built) / 1000 },
         peakBytes: library.memory().heapBytes,
         thread: 'main',

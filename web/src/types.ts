@@ -76,9 +76,29 @@ export interface ProgressOptions {
   onProgress?: ProgressCallback;
 }
 
+/** Something that came out otherwise than one may take for granted. */
+export interface Warning {
+  /** For programs. */
+  code:
+    | 'PARTS_LOST'
+    | 'PARTS_DROPPED'
+    | 'TOLERANCE_WIDENED'
+    | 'TOPOLOGY_UNRESOLVED'
+    | 'TRIANGLES_CROSS'
+    | 'PARTS_TURNED'
+    | 'NESTING_UNKNOWN'
+    | 'SEWN_FAR'
+    | 'HOLES_CLOSED'
+    | 'WINDING_THRESHOLD'
+    | 'STRAY_PARTS';
+  /** For people, with numbers. */
+  message: string;
+}
+
 /** What `Grid.extract` gives. */
 export interface ExtractedMesh extends Mesh {
-  report: ExtractReport;
+  /** How it was made, and what one should know before one trusts it, the gravest first. */
+  report: ExtractReport & { warnings: Warning[] };
 }
 
 /** The account of one conversion. */
@@ -86,6 +106,8 @@ export interface Report {
   input: InputReport;
   grid: GridStats;
   output: OutputReport;
+  /** What one should know before one trusts the mesh, the gravest first. */
+  warnings: Warning[];
   /** Wall-clock time of the steps. */
   seconds: { build: number; extract: number };
   /** Size of the WebAssembly heap, which never shrinks: the most that any call so far needed. */

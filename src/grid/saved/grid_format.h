@@ -8,7 +8,8 @@
 //            u64       bytes that follow the header
 //            u64       checksum of these bytes (FNV-1a, 64 bits)
 //   lattice  4 f64     origin x, y, z; step
-//            2 f64     tolerance; winding threshold, 0: none
+//            3 f64     tolerance; winding threshold, 0: none; tolerance asked for, in model
+//                      units
 //   reports  15 n      of the input: vertices, triangles, boundary edges, non-manifold edges,
 //                      boundary loops, degenerate, cancelled and duplicate faces, sewn edges,
 //                      turned faces and parts, components, patched holes, lost and stray parts

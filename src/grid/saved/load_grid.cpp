@@ -64,6 +64,8 @@ class GridReader {
     grid_.lattice.step = take_real(bytes_, kLeastStep, kFar, "the lattice's step");
     grid_.tolerance = take_real(bytes_, 0, std::numeric_limits<double>::max(), "the tolerance");
     grid_.stats.winding_threshold = take_real(bytes_, 0, 1, "the winding threshold");
+    grid_.stats.asked_tolerance =
+        take_real(bytes_, 0, std::numeric_limits<double>::max(), "the tolerance asked for");
   }
 
   void read_reports() {

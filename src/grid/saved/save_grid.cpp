@@ -44,6 +44,7 @@ class GridWriter {
     append_f64(out_, grid_.lattice.step);
     append_f64(out_, grid_.tolerance);
     append_f64(out_, grid_.stats.winding_threshold);
+    append_f64(out_, grid_.stats.asked_tolerance);
   }
 
   void write_reports() {

@@ -7,6 +7,7 @@
 #include "kdmanifold/grid.h"
 #include "kdmanifold/mesh.h"
 #include "kdmanifold/progress.h"
+#include "kdmanifold/warnings.h"
 
 namespace kdm {
 
@@ -93,13 +94,15 @@ struct ExtractReport {
 /// A mesh with the account of how it was made.
 struct ExtractedMesh : Mesh {
   ExtractReport report;
+  /// What one should know before one trusts the mesh, of input and grid too; the gravest first.
+  std::vector<Warning> warnings;
 };
 
 /// Makes the surface of the grid, which stays as it is. The result is closed, oriented outwards and
 /// 2-manifold (unless `strict` is `kOff`); of a sheet it is a 2-manifold with boundary, turned as
 /// the input is. The time grows linearly with the hits. Throws `kInvalidOption` (see
 /// `check_options`), `kNotClosed` if nothing is left of an input that had to be repaired,
-/// `kAborted` and `kOutOfMemory`.
+/// `kEmptyResult` if nothing is left of any other, `kAborted` and `kOutOfMemory`.
 ExtractedMesh extract(const Grid& grid, const ExtractOptions& options = {},
                       const Progress& progress = {});
 

@@ -67,6 +67,8 @@ struct GridStats {
   int depth = 0;          ///< depth of the deepest leaf; the root has 0
   bool sheet = false;     ///< built by the inside rule `kSheet`: results may have a boundary
   std::size_t bytes = 0;  ///< memory held by the grid
+  /// In model units: the tolerance that was asked for; 0 if none was.
+  double asked_tolerance = 0;
   /// In model units: the tolerance that was asked for, or a wider one where a surface to be
   /// repaired would have taken beyond all measure. For strategies without a tolerance: the one that
   /// extraction goes by.

@@ -15,3 +15,4 @@
 #include "kdmanifold/thicken.h"
 #include "kdmanifold/types.h"
 #include "kdmanifold/version.h"
+#include "kdmanifold/warnings.h"

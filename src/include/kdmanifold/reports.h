@@ -101,6 +101,9 @@ void for_each_field(const GridStats& stats, Visit&& visit) {
   visit(ReportField{"sheet", "The grid was built as a `sheet`: results may have a boundary"},
         stats.sheet);
   visit(ReportField{"bytes", "Memory that the grid holds", Unit::kBytes}, stats.bytes);
+  visit(ReportField{"asked_tolerance", "The tolerance that was asked for; 0: none",
+                    Unit::kModelUnits},
+        stats.asked_tolerance);
   visit(ReportField{"tolerance",
                     "The tolerance that was asked for, or a wider one where a surface to be "
                     "repaired would have taken beyond all measure. For strategies without a "

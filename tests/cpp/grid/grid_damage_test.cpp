@@ -28,7 +28,7 @@ constexpr std::size_t kVersionAt = 8;
 constexpr std::size_t kSizeAt = 12;
 constexpr std::size_t kChecksumAt = 20;
 constexpr std::size_t kLatticeAt = grid_format::kHeaderBytes;
-constexpr std::size_t kReportsAt = kLatticeAt + 6 * 8;
+constexpr std::size_t kReportsAt = kLatticeAt + 7 * 8;
 
 void put(Bytes& bytes, std::size_t at, std::uint64_t value, std::size_t size) {
   for (std::size_t i = 0; i < size; ++i) {
@@ -184,6 +184,7 @@ TEST(GridDamage, HostileNumbersAreRefused) {
   for (const double bad : {-1.0, kInfinity, std::nan("")}) {
     expect_after([&](Bytes& b) { put(b, kLatticeAt + 32, bad); }, "tolerance");
     expect_after([&](Bytes& b) { put(b, kLatticeAt + 40, bad); }, "winding threshold");
+    expect_after([&](Bytes& b) { put(b, kLatticeAt + 48, bad); }, "tolerance asked for");
   }
   // A report's number beyond 32 bits, one without end, and one with a superfluous last byte.
   const auto insert = [](Bytes& b, std::size_t at, const Bytes& what) {

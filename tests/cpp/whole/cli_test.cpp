@@ -192,7 +192,8 @@ TEST_F(Cli, SameInputSameBytes) {
 
 TEST_F(Cli, ReportHasTheDocumentedKeys) {
   const Json json = report("cube.obj -o out.ply --check" + kCoarse);
-  EXPECT_EQ(keys(json), (Names{"input", "grid", "output", "check", "seconds", "peakBytes"}));
+  EXPECT_EQ(keys(json),
+            (Names{"input", "grid", "output", "warnings", "check", "seconds", "peakBytes"}));
   EXPECT_EQ(keys(json["input"]),
             (Names{"vertices",       "triangles",        "closed",          "boundaryEdges",
                    "boundaryLoops",  "nonManifoldEdges", "degenerateFaces", "cancelledFaces",
@@ -201,9 +202,9 @@ TEST_F(Cli, ReportHasTheDocumentedKeys) {
                    "lostParts",      "lostArea",         "largestLost",     "sewingDistance",
                    "strayParts",     "extent",           "flipped",         "latticeStep"}));
   EXPECT_EQ(keys(json["grid"]),
-            (Names{"cells", "leaves", "hits", "depth", "sheet", "bytes", "tolerance",
-                   "windingThreshold", "topologyResolved", "unresolvedLeaves", "ambiguousFaces",
-                   "guessedFaces", "inventedHits"}));
+            (Names{"cells", "leaves", "hits", "depth", "sheet", "bytes", "askedTolerance",
+                   "tolerance", "windingThreshold", "topologyResolved", "unresolvedLeaves",
+                   "ambiguousFaces", "guessedFaces", "inventedHits"}));
   EXPECT_EQ(keys(json["output"]), (Names{"vertices",
                                          "triangles",
                                          "quads",
@@ -251,7 +252,7 @@ TEST_F(Cli, ReportHasTheDocumentedKeys) {
 
 TEST_F(Cli, ReportOmitsWhatWasNotDone) {
   const Json json = report("cube.obj" + kCoarse);
-  EXPECT_EQ(keys(json), (Names{"input", "grid", "output", "seconds", "peakBytes"}));
+  EXPECT_EQ(keys(json), (Names{"input", "grid", "output", "warnings", "seconds", "peakBytes"}));
   EXPECT_EQ(keys(json["seconds"]), (Names{"read", "build", "extract"}));
   EXPECT_EQ(files(), (std::set<std::string>{"cube.obj"}));
 }
@@ -358,8 +359,8 @@ TEST_F(Cli, StatsDescribeTheInput) {
 
   // With an output both come, and the input's keys are those of the grid's report.
   const Json both = report("cube.obj --stats -o out.obj --check" + kCoarse);
-  EXPECT_EQ(keys(both),
-            (Names{"input", "defects", "grid", "output", "check", "seconds", "peakBytes"}));
+  EXPECT_EQ(keys(both), (Names{"input", "defects", "grid", "output", "warnings", "check", "seconds",
+                               "peakBytes"}));
   EXPECT_EQ(both["input"], report("cube.obj" + kCoarse)["input"]);
   EXPECT_EQ(keys(both["seconds"]), (Names{"read", "analyze", "build", "extract", "write"}));
   EXPECT_TRUE(fs::exists(folder_ / "out.obj"));

@@ -5,7 +5,14 @@ import type { Command } from './options.js';
 import type { Task } from './plan.js';
 import { pick } from '../pick.js';
 import { checkKeys, defectKeys, outputKeys } from '../reports.js';
-import type { ExtractReport, GridStats, InputReport, MeshDefects, MeshReport } from '../types.js';
+import type {
+  ExtractReport,
+  GridStats,
+  InputReport,
+  MeshDefects,
+  MeshReport,
+  Warning,
+} from '../types.js';
 
 /** What is known at the end of a run. */
 export interface CliReport {
@@ -15,7 +22,7 @@ export interface CliReport {
   result?: {
     input: InputReport;
     grid: GridStats;
-    output: MeshReport & ExtractReport & { selfIntersections?: number };
+    output: MeshReport & ExtractReport & { selfIntersections?: number; warnings: Warning[] };
   };
   seconds: { read: number; analyze?: number; build?: number; extract?: number; write?: number };
   peakBytes: number;
@@ -37,6 +44,7 @@ export function reportAsJson(report: CliReport, command: Command): object {
       ...pick(result.output, outputKeys),
       selfIntersections: result.output.selfIntersections,
     },
+    warnings: result?.output.warnings,
     check: command.report.check && result ? pick(result.output, checkKeys) : undefined,
     seconds: {
       read: seconds.read,
@@ -93,7 +101,7 @@ function countsOf(defects: MeshDefects): Counts {
 /** Writes a few lines for people. */
 export function reportAsText(report: CliReport, command: Command, task: Task): string {
   const { defects, result } = report;
-  const lines = [];
+  const lines = (result?.output.warnings ?? []).map(({ message }) => `warning  ${message}`);
   if (result) lines.push(...inputLines(result.input, task));
   else if (defects) lines.push(inputLine(defects.report, task));
   if (defects) lines.push(...defectLines(defects));

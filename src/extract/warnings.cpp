@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// Words the warnings.
+#include "extract/warnings.h"
+
+#include <cmath>
+#include <string>
+
+#include "text/compose.h"
+
+namespace kdm {
+namespace {
+
+// Tolerances that were asked for and used agree but for rounding.
+constexpr double kWider = 1.001;
+
+// Writes a number with three digits, or four before the point.
+std::string rounded(double value) {
+  double scale = 1;
+  while (value * scale < 100 && scale < 1e300) scale *= 10;
+  return compose("{}", std::round(value * scale) / scale);
+}
+
+// "1 part", "3 parts".
+std::string count(Index n, const char* one, const char* many) {
+  return compose("{} {}", n, n == 1 ? one : many);
+}
+
+class Collector {
+ public:
+  void add(const char* code, std::string message) { found_.push_back({code, std::move(message)}); }
+  std::vector<Warning> take() { return std::move(found_); }
+
+ private:
+  std::vector<Warning> found_;
+};
+
+void warn_of_losses(const InputReport& input, const ExtractReport& report, Collector& to) {
+  if (input.lost_parts > 0) {
+    to.add("PARTS_LOST",
+           compose("parts of the input that bound nothing were left out: {}, an area of {}, the "
+                   "largest {}; thicken keeps them",
+                   input.lost_parts, rounded(input.lost_area), rounded(input.largest_lost)));
+  }
+  if (report.dropped_parts > 0) {
+    to.add("PARTS_DROPPED",
+           compose("parts of the result were left out, as the option parts says: {}",
+                   report.dropped_parts));
+  }
+}
+
+void warn_of_exactness(const GridStats& grid, const ExtractReport& report, Collector& to) {
+  if (grid.asked_tolerance > 0 && grid.tolerance > kWider * grid.asked_tolerance) {
+    to.add(
+        "TOLERANCE_WIDENED",
+        compose("the tolerance was widened from {} to {}, since the surface crosses itself in too "
+                "many places",
+                rounded(grid.asked_tolerance), rounded(grid.tolerance)));
+  }
+  if (grid.unresolved_leaves > 0) {
+    to.add("TOPOLOGY_UNRESOLVED",
+           compose("the topology was given up in {}: parts nearer to each other than the tolerance "
+                   "may have been joined or separated there",
+                   count(grid.unresolved_leaves, "cell", "cells")));
+  }
+  if (report.crossings.value_or(0) > 0) {
+    to.add("TRIANGLES_CROSS",
+           compose("{} pairs of triangles of the result cross", *report.crossings));
+  }
+}
+
+void warn_of_repair(const InputReport& input, const GridStats& grid, const ExtractReport& report,
+                    double area, Collector& to) {
+  if (input.turned_parts > 0) {
+    to.add("PARTS_TURNED",
+           compose("closed parts that were inside out were turned: {}", input.turned_parts));
+  }
+  if (!input.nesting_known) {
+    to.add("NESTING_UNKNOWN",
+           "too many closed parts overlap to find out which lie in which; none of them was turned");
+  }
+  if (input.sewing_distance > kWider * grid.tolerance) {
+    to.add("SEWN_FAR", compose("edges up to {} apart were sewn together, more than the tolerance",
+                               rounded(input.sewing_distance)));
+  }
+  if (report.invented_area > 0) {
+    const double percent = area > 0 ? 100 * report.invented_area / area : 0;
+    to.add("HOLES_CLOSED",
+           compose("holes were closed: {} % of the result's area is new", rounded(percent)));
+  }
+  if (grid.winding_threshold > 0) {
+    to.add("WINDING_THRESHOLD", compose("inside is where the winding number is above {}",
+                                        rounded(grid.winding_threshold)));
+  }
+  if (input.stray_parts > 0) {
+    to.add("STRAY_PARTS",
+           compose("small parts far from the rest did not count for the relative tolerance: {}",
+                   input.stray_parts));
+  }
+}
+
+}  // namespace
+
+std::vector<Warning> collect_warnings(const InputReport& input, const GridStats& grid,
+                                      const ExtractReport& report, double area) {
+  Collector to;
+  warn_of_losses(input, report, to);
+  warn_of_exactness(grid, report, to);
+  warn_of_repair(input, grid, report, area, to);
+  return to.take();
+}
+
+}  // namespace kdm
