@@ -229,6 +229,12 @@ const table = [
     /a\.kdgrid.*damaged/,
   ],
   ['a stop by the callback', build(torus(64, 64), { onProgress: () => false }), 'ABORTED', /./],
+  [
+    'nothing is left',
+    () => kdm.buildGrid(cube(), { tolerance: 1e9 }).extract(),
+    'EMPTY_RESULT',
+    /nothing of the surface is left.*smaller tolerance/,
+  ],
   ['use after delete: extract', () => deletedGrid().extract(), 'DELETED', /deleted/],
   ['use after delete: save', () => deletedGrid().save(), 'DELETED', /deleted/],
   ['use after delete: stats', () => deletedGrid().stats, 'DELETED', /deleted/],

@@ -26,6 +26,15 @@ test('gives a mesh and a report', async () => {
   expect(report.peakBytes).toBeGreaterThan(0);
 });
 
+test('warns of what came out otherwise than one may take for granted, and of nothing else', async () => {
+  expect((await makeManifold(torus())).report.warnings).toEqual([]);
+  const { positions, indices } = torus();
+  const { report } = await makeManifold({ positions, indices: indices.slice(30) });
+  expect(report.warnings).toEqual([
+    { code: 'HOLES_CLOSED', message: expect.stringMatching(/^holes were closed: [\d.]+ % of/) },
+  ]);
+});
+
 test('gives the same mesh as the synchronous interface', async () => {
   const options = { strategy: 'median', depth: 15, inside: 'odd', pairing: 'hermite' };
   const { mesh } = await makeManifold(torus(), { ...options, quads: true });
