@@ -35,6 +35,7 @@ inline val extract(const Grid& grid, val options, val progress) {
   return guard([&] {
     const ExtractedMesh mesh =
         kdm::extract(grid, to_options<ExtractOptions>(options), to_progress(progress));
+    check_not_empty(mesh);
     val to = from_mesh(mesh, "Float32Array");
     val report = from_report(mesh.report);
     val warnings = val::array();

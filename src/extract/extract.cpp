@@ -116,14 +116,6 @@ double area_of(const Mesh& mesh) {
   return sum.area;
 }
 
-// Throws if nothing of the surface has come out.
-void check_not_empty(const ExtractedMesh& out) {
-  if (!out.triangles.empty() || !out.quads.empty()) return;
-  throw Error(ErrorCode::kEmptyResult,
-              "nothing of the surface is left: it is nowhere wider than the tolerance or the cells "
-              "of the grid; take a smaller tolerance or a greater depth, or thicken the surface");
-}
-
 }  // namespace
 
 ExtractedMesh extract(const Grid& handle, const ExtractOptions& options,
@@ -142,12 +134,18 @@ ExtractedMesh extract(const Grid& handle, const ExtractOptions& options,
   static_cast<Mesh&>(out) =
       emit(grid, mesh, normals, options.quads, options.strict == Strict::kEmbedded);
   if (!grid.sheet) leave_parts_out(grid, options.parts, out);
-  check_not_empty(out);
   out.warnings = collect_warnings(grid.input, grid.stats, out.report, area_of(out));
   report_progress(progress, 1.0, "faces");
   return out;
 } catch (const std::bad_alloc&) {
   throw Error(ErrorCode::kOutOfMemory, "there is not enough memory to extract the surface");
+}
+
+void check_not_empty(const Mesh& mesh) {
+  if (!mesh.triangles.empty() || !mesh.quads.empty()) return;
+  throw Error(ErrorCode::kEmptyResult,
+              "nothing of the surface is left: it is nowhere wider than the tolerance or the cells "
+              "of the grid; take a smaller tolerance or a greater depth, or thicken the surface");
 }
 
 }  // namespace kdm

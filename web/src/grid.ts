@@ -54,7 +54,7 @@ export class Grid {
    *
    * @param options - what the result must be like, and a callback for progress
    * @returns the mesh, whose arrays are the caller's, and the account of how it was made
-   * @throws {@link KdManifoldError} with `INVALID_OPTION`, `OUT_OF_MEMORY`, `ABORTED`, `DELETED`
+   * @throws {@link KdManifoldError} with `INVALID_OPTION`, `EMPTY_RESULT`, `OUT_OF_MEMORY`, `ABORTED`, `DELETED`
    *
    * @example
    * ```js

@@ -84,6 +84,8 @@ export interface GridStats {
   sheet: boolean;
   /** Memory that the grid holds. In bytes. */
   bytes: number;
+  /** The tolerance that was asked for; 0: none. In model units. */
+  askedTolerance: number;
   /**
    * The tolerance that was asked for, or a wider one where a surface to be repaired would have
    * taken beyond all measure. For strategies without a tolerance: the one that extraction goes by.

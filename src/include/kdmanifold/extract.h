@@ -102,8 +102,13 @@ struct ExtractedMesh : Mesh {
 /// 2-manifold (unless `strict` is `kOff`); of a sheet it is a 2-manifold with boundary, turned as
 /// the input is. The time grows linearly with the hits. Throws `kInvalidOption` (see
 /// `check_options`), `kNotClosed` if nothing is left of an input that had to be repaired,
-/// `kEmptyResult` if nothing is left of any other, `kAborted` and `kOutOfMemory`.
+/// `kAborted` and `kOutOfMemory`. At too wide a tolerance or too small a depth nothing may be left
+/// of any input: see `check_not_empty`.
 ExtractedMesh extract(const Grid& grid, const ExtractOptions& options = {},
                       const Progress& progress = {});
+
+/// Throws `kEmptyResult`, with what to do about it, if the result has no faces. The command line
+/// and JavaScript call it for every result.
+void check_not_empty(const Mesh& mesh);
 
 }  // namespace kdm
