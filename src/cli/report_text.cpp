@@ -98,12 +98,16 @@ std::string repair_text(const RunReport& report) {
     return "";
   }
   const double area = report.output.area;
-  return fmt::format(
+  std::string text = fmt::format(
       "repair   {} pairs of edges sewn, {} faces turned, {} doubled ones left out; {:.1f} % of the "
-      "area closes holes, {} crumbs dropped\n         winding numbers above {} are inside\n",
+      "area closes holes, {} crumbs dropped\n",
       input.sewn_edges, input.turned_faces, input.duplicate_faces,
-      area > 0 ? 100 * report.extracted.invented_area / area : 0, report.extracted.dropped_crumbs,
-      report.grid.winding_threshold);
+      area > 0 ? 100 * report.extracted.invented_area / area : 0, report.extracted.dropped_crumbs);
+  if (report.grid.winding_threshold > 0) {
+    text += fmt::format("         winding numbers above {} are inside\n",
+                        report.grid.winding_threshold);
+  }
+  return text;
 }
 
 std::string result_text(const RunReport& report, const Command& command, const Task& task) {

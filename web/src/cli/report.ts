@@ -132,12 +132,15 @@ function repairLines({ input, grid, output }: NonNullable<CliReport['result']>):
   const { sewnEdges, turnedFaces, duplicateFaces } = input;
   if (sewnEdges + turnedFaces + duplicateFaces + grid.inventedHits === 0) return [];
   const share = output.area > 0 ? (100 * output.inventedArea) / output.area : 0;
-  return [
+  const lines = [
     `repair   ${sewnEdges} pairs of edges sewn, ${turnedFaces} faces turned, ` +
       `${duplicateFaces} doubled ones left out; ${share.toFixed(1)} % of the area closes holes, ` +
       `${output.droppedCrumbs} crumbs dropped`,
-    `         winding numbers above ${grid.windingThreshold} are inside`,
   ];
+  if (grid.windingThreshold > 0) {
+    lines.push(`         winding numbers above ${grid.windingThreshold} are inside`);
+  }
+  return lines;
 }
 
 const names: [keyof Counts, string][] = [
