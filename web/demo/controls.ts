@@ -73,8 +73,8 @@ export function measure({ positions, indices }: MeshInput): void {
 }
 
 /** Gaps that have been closed may be closed differently. */
-export function learnOfGaps({ grid }: Report): void {
-  if (grid.inventedHits > 0) gaps = true;
+export function learnOfGaps({ grid, input }: Report): void {
+  if (grid.inventedHits > 0 || input.patchedHoles > 0) gaps = true;
   if (grid.windingThreshold === 0) return;
   element<HTMLInputElement>('gaps').value = String(Math.round(100 - 100 * grid.windingThreshold));
 }

@@ -75,9 +75,12 @@ export function remedyOf({ input, grid, output }: Report, thickness: number): st
   if (input.flipped) done.push('all of it turned over');
   if (input.sewnEdges > 0) done.push(`${count(input.sewnEdges, 'pair')} of edges sewn together`);
   if (input.turnedFaces > 0) done.push(`${count(input.turnedFaces, 'face')} turned`);
-  if (grid.inventedHits > 0) {
-    const share = percent.format(output.inventedArea / output.area);
-    done.push(`holes and gaps closed, which invented ${share} of the area`);
+  const share = percent.format(output.inventedArea / output.area);
+  const invented = output.inventedArea > 0 ? `, which invented ${share} of the area` : '';
+  if (grid.windingThreshold > 0) {
+    if (grid.inventedHits > 0) done.push(`holes and gaps closed${invented}`);
+  } else if (input.patchedHoles > 0) {
+    done.push(`${count(input.patchedHoles, 'hole')} closed by patches${invented}`);
   }
   const left = (n: number, one: string, many?: string): void => {
     if (n > 0) done.push(`${count(n, one, many)} left out`);
