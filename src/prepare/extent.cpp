@@ -10,6 +10,7 @@
 #include "mesh/boxes.h"
 #include "mesh/disjoint_sets.h"
 #include "mesh/scale.h"
+#include "mesh/sort.h"
 
 namespace kdm {
 namespace {
@@ -56,8 +57,7 @@ Extent find_extent(std::span<const Triangle> triangles, const std::vector<Vec3>&
   if (topology.components < 2) return extent;  // one part, joined by edges
   const ScaledPositions scaled = scale_to_one(points, triangles);
   std::vector<Part> parts = find_parts(triangles, scaled.positions);
-  std::stable_sort(parts.begin(), parts.end(),
-                   [](const Part& a, const Part& b) { return a.area < b.area; });
+  sort_by(parts, [](const Part& a, const Part& b) { return a.area < b.area; });
   const double whole =
       std::accumulate(parts.begin(), parts.end(), 0.0,
                       [](double sum, const Part& part) { return sum + part.area; });

@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "geometry/triangle.h"
+#include "mesh/sort.h"
 
 namespace kdm {
 namespace {
@@ -38,7 +39,7 @@ bool FlatPatch::make(const std::vector<HolePolygon>& polygons, std::span<const I
   };
   std::vector<std::pair<double, Index>> holes;
   for (const Index hole : group.subspan(1)) holes.emplace_back(-end(hole), hole);
-  std::sort(holes.begin(), holes.end());
+  sort_up(holes);
   for (const auto& hole : holes) {
     if (!add_hole(polygons[hole.second])) return false;
     wanted -= polygons[hole.second].area;

@@ -14,6 +14,7 @@
 #include "mesh/nesting.h"
 #include "mesh/scale.h"
 #include "mesh/sides.h"
+#include "mesh/sort.h"
 #include "prepare/outside_in.h"
 
 namespace kdm {
@@ -120,10 +121,8 @@ class PartTurner {
 
   // Tells which parts must be turned. Larger parts are decided before smaller ones.
   Marks decide(const std::vector<Enclosure>& enclosures) {
-    std::vector<Index> order(shells_.size());
-    std::iota(order.begin(), order.end(), Index{0});
-    std::sort(order.begin(), order.end(),
-              [&](Index a, Index b) { return size_[a] != size_[b] ? size_[a] > size_[b] : a < b; });
+    const auto larger = [&](Index a, Index b) { return size_[a] > size_[b]; };
+    const std::vector<Index> order = in_order(shells_.size(), Order(larger));
     std::vector<std::size_t> first(shells_.size() + 1, 0);  // per inner part, among the enclosures
     for (const Enclosure& pair : enclosures) ++first[pair.inner + 1];
     std::partial_sum(first.begin(), first.end(), first.begin());

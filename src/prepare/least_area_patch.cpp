@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "geometry/triangle.h"
+#include "mesh/sort.h"
 
 namespace kdm {
 namespace {
@@ -106,7 +107,7 @@ void LeastAreaPatch::find_used_chords(std::span<const PointId> polygon) {
   used_.assign(size_ * size_, 0);
   std::vector<std::pair<PointId, std::size_t>> place;
   for (std::size_t i = 0; i < size_; ++i) place.emplace_back(polygon[i], i);
-  std::sort(place.begin(), place.end());
+  sort_up(place);
   for (const auto& lower : place) {
     const std::uint64_t first = std::uint64_t{lower.first} << 32;
     auto edge = std::lower_bound(edges_.begin(), edges_.end(), first);

@@ -9,6 +9,7 @@
 #include "geometry/exact_sign.h"
 #include "mesh/box_tree.h"
 #include "mesh/marks.h"
+#include "mesh/sort.h"
 
 namespace kdm {
 namespace {
@@ -26,13 +27,8 @@ class PolygonNesting {
     std::vector<Box> boxes;
     for (const HolePolygon& polygon : polygons_) boxes.push_back(polygon.bounds);
     const BoxTree tree(boxes);
-    std::vector<Index> order(polygons_.size());
-    std::iota(order.begin(), order.end(), Index{0});
-    std::sort(order.begin(), order.end(), [&](Index a, Index b) {
-      const double x = polygons_[a].area;
-      const double y = polygons_[b].area;
-      return x != y ? x > y : a < b;
-    });
+    const auto larger = [&](Index a, Index b) { return polygons_[a].area > polygons_[b].area; };
+    const std::vector<Index> order = in_order(polygons_.size(), Order(larger));
     std::vector<std::vector<Index>> holes_in(polygons_.size());
     Marks is_hole(polygons_.size());
     for (const Index inner : order) {
@@ -45,7 +41,7 @@ class PolygonNesting {
     std::vector<std::vector<Index>> groups;
     for (Index outer = 0; outer < polygons_.size(); ++outer) {
       if (is_hole.test(outer)) continue;
-      std::sort(holes_in[outer].begin(), holes_in[outer].end());
+      sort_numbers(holes_in[outer]);
       groups.push_back({outer});
       groups.back().insert(groups.back().end(), holes_in[outer].begin(), holes_in[outer].end());
     }

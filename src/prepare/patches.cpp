@@ -10,6 +10,7 @@
 #include "mesh/marks.h"
 #include "mesh/scale.h"
 #include "mesh/sides.h"
+#include "mesh/sort.h"
 #include "prepare/flat_patch.h"
 #include "prepare/least_area_patch.h"
 #include "prepare/nested_polygons.h"
@@ -29,7 +30,7 @@ std::vector<std::uint64_t> edges_between(const Marks& at_hole,
       edges.push_back(std::uint64_t{std::min(a, b)} << 32 | std::max(a, b));
     }
   }
-  std::sort(edges.begin(), edges.end());
+  sort_numbers(edges);
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   return edges;
 }
@@ -59,9 +60,14 @@ class Patcher {
     for (Index hole = 0; hole < polygons_.size(); ++hole) {
       if (!closed_.test(hole)) add_least_area(hole);
     }
-    std::sort(patches_.begin(), patches_.end(),
-              [](const Patch& a, const Patch& b) { return a.holes[0] < b.holes[0]; });
-    return std::move(patches_);
+    const auto earlier = [&](Index a, Index b) {
+      return patches_[a].holes[0] < patches_[b].holes[0];
+    };
+    std::vector<Patch> sorted;
+    for (const Index patch : in_order(patches_.size(), Order(earlier))) {
+      sorted.push_back(std::move(patches_[patch]));
+    }
+    return sorted;
   }
 
  private:

@@ -12,6 +12,7 @@
 #include "mesh/box_tree.h"
 #include "mesh/disjoint_sets.h"
 #include "mesh/edge_sides.h"
+#include "mesh/sort.h"
 
 namespace kdm {
 namespace {
@@ -202,8 +203,7 @@ double torn_distance(double most, const std::vector<Triangle>& triangles,
   }
   if (2 * distances.size() <= rims.size()) return 0;
   const std::size_t place = distances.size() * 9 / 10;
-  std::nth_element(distances.begin(), distances.begin() + static_cast<std::ptrdiff_t>(place),
-                   distances.end());
+  sort_up(distances);
   return std::min(most, kMoreThanMost * distances[place]);
 }
 
