@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "defects.h"
 #include "fields.h"
@@ -14,9 +15,14 @@ namespace kdm::wasm {
 // Positions stay 64-bit, as the native command line has them: both make the same grid.
 inline val parse_mesh(val bytes, val format, std::string name) {
   return guard([&] {
-    return from_mesh(
-        kdm::parse_mesh(to_bytes(bytes), to_choice<MeshFormat>(format, "format"), name),
+    std::vector<std::string> warnings;
+    val mesh = from_mesh(
+        kdm::parse_mesh(to_bytes(bytes), to_choice<MeshFormat>(format, "format"), name, &warnings),
         "Float64Array");
+    val texts = val::array();
+    for (const std::string& warning : warnings) texts.call<void>("push", warning);
+    mesh.set("warnings", texts);
+    return mesh;
   });
 }
 

@@ -11,7 +11,11 @@ namespace kdm::cli {
 ReadMesh read_mesh_file(const std::string& path, FileFormat format) {
   const std::string bytes = read_all(path);
   const std::string name = input_name(path);
-  if (format != FileFormat::kGlb) return {parse_mesh(bytes, library_format(format), name), {}};
+  if (format != FileFormat::kGlb) {
+    ReadMesh read;
+    read.mesh = parse_mesh(bytes, library_format(format), name, &read.notes);
+    return read;
+  }
   glb::Scene scene = glb::read(bytes, name);
   return {std::move(scene.mesh), std::move(scene.notes)};
 }

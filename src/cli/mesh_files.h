@@ -10,7 +10,7 @@
 
 namespace kdm::cli {
 
-/// A mesh that was read, and what was left out of its file, in words.
+/// A mesh that was read, and what was skipped, left out or assumed, in words.
 struct ReadMesh {
   Mesh mesh;
   std::vector<std::string> notes;

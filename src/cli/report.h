@@ -27,7 +27,7 @@ struct RunReport {
   std::uint64_t self_intersections = 0;  ///< of the output; with --check only
   Seconds seconds;
   std::uint64_t peak_bytes = 0;    ///< most memory the process held; 0: unknown
-  std::vector<std::string> notes;  ///< what was left out of the input, in words
+  std::vector<std::string> notes;  ///< warnings: what was left out of the input, in words
 };
 
 /// What the parts of a mesh have together.

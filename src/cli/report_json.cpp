@@ -88,6 +88,7 @@ Json report_as_json(const RunReport& report, const Command& command) {
     json["output"]["selfIntersections"] = report.self_intersections;
     json["check"] = check_json(report.output);
   }
+  if (!report.notes.empty()) json["warnings"] = report.notes;
   json["seconds"] = seconds_json(report, command);
   json["peakBytes"] = report.peak_bytes;
   return json;

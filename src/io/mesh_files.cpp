@@ -11,10 +11,10 @@
 
 namespace kdm {
 
-Mesh read_mesh(const std::string& path) {
+Mesh read_mesh(const std::string& path, std::vector<std::string>* warnings) {
   const MeshFormat format = format_from_path(path);
   try {
-    return parse_mesh(read_file(path), format, path);
+    return parse_mesh(read_file(path), format, path, warnings);
   } catch (const std::bad_alloc&) {
     throw Error(ErrorCode::kOutOfMemory, compose("{}: not enough memory to read it", path));
   }

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <new>
 
+#include "io/decode_text.h"
 #include "io/formats.h"
+#include "io/sniff.h"
 #include "io/text_scanner.h"
 #include "kdmanifold/error.h"
 #include "mesh/check_indices.h"
@@ -48,6 +50,21 @@ void check_writable(const Mesh& mesh) {
   }
 }
 
+Mesh parse_as(MeshFormat format, std::string_view bytes, std::string_view name,
+              Warnings& warnings) {
+  switch (format) {
+    case MeshFormat::kObj:
+      return parse_obj(bytes, name, warnings);
+    case MeshFormat::kStl:
+      return parse_stl(bytes, name, warnings);
+    case MeshFormat::kPly:
+      return parse_ply(bytes, name, warnings);
+    case MeshFormat::kOff:
+      return parse_off(bytes, name, warnings);
+  }
+  throw Error(ErrorCode::kInvalidOption, "format is not a MeshFormat");
+}
+
 }  // namespace
 
 MeshFormat format_from_path(std::string_view path) {
@@ -67,27 +84,32 @@ MeshFormat format_from_path(std::string_view path) {
               compose("{}: the file's name ends in none of .obj, .stl, .ply and .off", path));
 }
 
-Mesh parse_mesh(std::string_view bytes, MeshFormat format, std::string_view name) {
+Mesh parse_mesh(std::string_view bytes, MeshFormat format, std::string_view name,
+                std::vector<std::string>* warnings) {
   if (std::uint64_t{bytes.size()} > kLargestFile) {
     throw Error(ErrorCode::kParseError, compose("{}: byte {}: files of 4 GiB and more are not "
                                                 "supported",
                                                 name, kLargestFile));
   }
   try {
-    switch (format) {
-      case MeshFormat::kObj:
-        return parse_obj(bytes, name);
-      case MeshFormat::kStl:
-        return parse_stl(bytes, name);
-      case MeshFormat::kPly:
-        return parse_ply(bytes, name);
-      case MeshFormat::kOff:
-        return parse_off(bytes, name);
+    Warnings collected;
+    std::string decoded;
+    if (const auto order = utf16_order(bytes); order && !is_whole_binary_stl(bytes)) {
+      decoded = utf8_from_utf16(bytes, *order);
+      bytes = decoded;
     }
+    const Content content = sniff(bytes);
+    if (!content.foreign.empty()) {
+      throw Error(ErrorCode::kParseError,
+                  compose("{}: byte 0: the file is {}", name, content.foreign));
+    }
+    Mesh mesh = parse_as(content.format.value_or(format), bytes, name, collected);
+    if (mesh.triangles.empty()) collected.fail_if_skipped(name);
+    if (warnings != nullptr) *warnings = collected.texts();
+    return mesh;
   } catch (const std::bad_alloc&) {
     throw Error(ErrorCode::kOutOfMemory, compose("{}: not enough memory to read it", name));
   }
-  throw Error(ErrorCode::kInvalidOption, "format is not a MeshFormat");
 }
 
 std::string format_mesh(const Mesh& mesh, MeshFormat format, Digits digits) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "io/decode_text.h"
 #include "io/formats.h"
 #include "io/mesh_builder.h"
 #include "io/text_line.h"
@@ -18,18 +19,15 @@ namespace {
 class ObjReader {
  public:
   ObjReader(std::string_view text, std::string_view name)
-      : scanner_(text, name, {.comments = true, .continuations = true}) {
-    // Some editors put a byte order mark before the text.
-    scanner_.take("\xef\xbb\xbf");
-  }
+      : scanner_(text, name, {.comments = true, .continuations = true}) {}
 
-  Mesh read() {
+  Mesh read(Warnings& warnings) {
     while (scanner_.find_word()) {
       const std::string_view keyword = scanner_.word();
-      if (keyword == "v") {
+      if (keyword == "v" || keyword == "V") {
         read_vertex();
-      } else if (keyword == "f" || keyword == "fo") {
-        read_face();
+      } else if (keyword == "f" || keyword == "F" || keyword == "fo") {
+        read_face(warnings);
       } else if (static_cast<unsigned char>(keyword[0]) < ' ') {
         // Any word may be a keyword of some extension, but this is no text.
         scanner_.fail("a keyword is expected, not " + quoted(keyword));
@@ -38,25 +36,22 @@ class ObjReader {
       scanner_.skip_line();
     }
     if (highest_ >= std::int64_t{builder_.vertex_count()}) fail_range(highest_line_, highest_ + 1);
-    return builder_.finish();
+    return builder_.finish(warnings);
   }
 
  private:
   void read_vertex() {
-    const double x = scanner_.number("coordinate x");
-    const double y = scanner_.number("coordinate y");
-    const double z = scanner_.number("coordinate z");
-    builder_.add_vertex({x, y, z});
+    const double x = scanner_.coordinate("coordinate x");
+    const double y = scanner_.coordinate("coordinate y");
+    const double z = scanner_.coordinate("coordinate z");
+    builder_.add_vertex({x, y, z}, [&] { return Place{"line", scanner_.line()}; });
   }
 
-  void read_face() {
+  void read_face(Warnings& warnings) {
     corners_.clear();
     const std::size_t line = scanner_.line();
     while (!scanner_.at_line_end()) corners_.push_back(read_corner());
-    if (corners_.size() < 3) {
-      scanner_.fail_at(
-          line, compose("a face needs three corners or more, this one has {}", corners_.size()));
-    }
+    if (corners_.size() < 3) warnings.skip(Skip::kFewCorners, {"line", line});
     builder_.add_face(corners_);
   }
 
@@ -97,8 +92,8 @@ class ObjReader {
 
 }  // namespace
 
-Mesh parse_obj(std::string_view text, std::string_view name) {
-  return ObjReader(text, name).read();
+Mesh parse_obj(std::string_view text, std::string_view name, Warnings& warnings) {
+  return ObjReader(without_padding(text), name).read(warnings);
 }
 
 namespace {

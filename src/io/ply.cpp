@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "io/bytes.h"
+#include "io/decode_text.h"
 #include "io/formats.h"
 #include "io/mesh_builder.h"
 #include "io/ply_header.h"
@@ -27,9 +28,9 @@ class TextValues {
     while (scanner_.offset() < header.bytes) scanner_.skip_line();
   }
 
-  double number(PlyType, const char* what) {
+  double coordinate(PlyType, const char* what) {
     find(what);
-    return scanner_.number(what);
+    return scanner_.coordinate(what);
   }
   std::int64_t integer(PlyType, const char* what) {
     find(what);
@@ -44,6 +45,7 @@ class TextValues {
     if (count > scanner_.bytes_left()) scanner_.fail_expected(compose("{} {}", count, what));
   }
   bool skip_records(const PlyElement&) { return false; }
+  Place place() const { return {"line", scanner_.line()}; }
   [[noreturn]] void fail(std::string_view message) const { scanner_.fail(message); }
 
  private:
@@ -61,14 +63,12 @@ class BinaryValues {
                 header.format == PlyFormat::kBigEndian ? ByteOrder::kBig : ByteOrder::kLittle,
                 header.bytes) {}
 
-  double number(PlyType type, const char* what) {
+  double coordinate(PlyType type, const char* what) {
     start(type, what);
-    const double value = take(type);
-    if (!std::isfinite(value)) fail(compose("{} is not a finite number", what));
-    return value;
+    return take(type);
   }
   std::int64_t integer(PlyType type, const char* what) {
-    const double value = number(type, what);
+    const double value = coordinate(type, what);
     const auto whole = static_cast<std::int64_t>(std::abs(value) < 1e15 ? value : 0);
     if (static_cast<double>(whole) != value) fail(compose("{} is not a whole number", what));
     return whole;
@@ -88,6 +88,8 @@ class BinaryValues {
     reader_.skip(static_cast<std::size_t>(element.count) * element.record_bytes());
     return true;
   }
+  // The place of the value that was taken last.
+  Place place() const { return {"byte", value_at_}; }
   // Throws with the place of the value that was taken last.
   [[noreturn]] void fail(std::string_view message) const { reader_.fail_at(value_at_, message); }
 
@@ -112,6 +114,10 @@ class BinaryValues {
         return reader_.take<std::int32_t, std::uint32_t>();
       case PlyType::kUint32:
         return reader_.take_unsigned<std::uint32_t>();
+      case PlyType::kInt64:
+        return static_cast<double>(reader_.take<std::int64_t, std::uint64_t>());
+      case PlyType::kUint64:
+        return static_cast<double>(reader_.take_unsigned<std::uint64_t>());
       case PlyType::kFloat32:
         return double{reader_.take<float, std::uint32_t>()};
       case PlyType::kFloat64:
@@ -127,8 +133,9 @@ class BinaryValues {
 template <typename Values>
 class PlyReader {
  public:
-  PlyReader(std::string_view bytes, std::string_view name, const PlyHeader& header)
-      : values_(bytes, name, header), header_(header), names_(bytes, name) {}
+  PlyReader(std::string_view bytes, std::string_view name, const PlyHeader& header,
+            Warnings& warnings)
+      : values_(bytes, name, header), header_(header), names_(bytes, name), warnings_(warnings) {}
 
   Mesh read() {
     // Faces may stand before the vertices: the header knows how many there will be.
@@ -144,7 +151,7 @@ class PlyReader {
         skip_element(element);
       }
     }
-    return builder_.finish();
+    return builder_.finish(warnings_);
   }
 
  private:
@@ -168,19 +175,18 @@ class PlyReader {
       for (std::size_t j = 0; j < count; ++j) {
         const PlyProperty& property = element.properties[j];
         if (axis_of[j] >= 0) {
-          position[axis_of[j]] = values_.number(property.type, "a coordinate");
+          position[axis_of[j]] = values_.coordinate(property.type, "a coordinate");
         } else {
           skip_property(property);
         }
       }
-      builder_.add_vertex(position);
+      builder_.add_vertex(position, [&] { return values_.place(); });
     }
   }
 
   void read_faces(const PlyElement& element, bool strips) {
-    std::size_t list = element.find("vertex_indices");
-    if (list == element.properties.size()) list = element.find("vertex_index");
-    if (list == element.properties.size() || !element.properties[list].is_list) {
+    const std::size_t list = find_corners(element);
+    if (list == element.properties.size()) {
       names_.fail_at(element.line,
                      "element " + quoted(element.name) + " has no list called 'vertex_indices'");
     }
@@ -197,9 +203,26 @@ class PlyReader {
       if (strips) {
         add_strip();
       } else {
+        if (corners_.size() < 3) warnings_.skip(Skip::kFewCorners, values_.place());
         builder_.add_face(corners_);
       }
     }
+  }
+
+  // Returns the place of the list of corners: the one with a usual name, or else the first list of
+  // whole numbers.
+  static std::size_t find_corners(const PlyElement& element) {
+    const std::vector<PlyProperty>& properties = element.properties;
+    for (const char* name : {"vertex_indices", "vertex_index"}) {
+      const std::size_t list = element.find(name);
+      if (list < properties.size() && properties[list].is_list) return list;
+    }
+    std::size_t list = 0;
+    while (list < properties.size() &&
+           !(properties[list].is_list && is_integer(properties[list].type))) {
+      ++list;
+    }
+    return list;
   }
 
   void read_corners(const PlyProperty& list, bool strips) {
@@ -257,6 +280,7 @@ class PlyReader {
   Values values_;
   const PlyHeader& header_;
   TextScanner names_;  // for messages about the header
+  Warnings& warnings_;
   MeshBuilder builder_;
   std::vector<Index> corners_;
   std::uint64_t vertices_ = 0;
@@ -264,12 +288,12 @@ class PlyReader {
 
 }  // namespace
 
-Mesh parse_ply(std::string_view bytes, std::string_view name) {
+Mesh parse_ply(std::string_view bytes, std::string_view name, Warnings& warnings) {
   const PlyHeader header = parse_ply_header(bytes, name);
   if (header.format == PlyFormat::kAscii) {
-    return PlyReader<TextValues>(bytes, name, header).read();
+    return PlyReader<TextValues>(without_padding(bytes), name, header, warnings).read();
   }
-  return PlyReader<BinaryValues>(bytes, name, header).read();
+  return PlyReader<BinaryValues>(bytes, name, header, warnings).read();
 }
 
 std::string format_ply(const Mesh& mesh) {

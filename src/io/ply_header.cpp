@@ -14,16 +14,28 @@ struct TypeName {
 };
 
 constexpr TypeName kTypeNames[] = {
-    {"char", PlyType::kInt8},      {"int8", PlyType::kInt8},       {"uchar", PlyType::kUint8},
-    {"uint8", PlyType::kUint8},    {"short", PlyType::kInt16},     {"int16", PlyType::kInt16},
-    {"ushort", PlyType::kUint16},  {"uint16", PlyType::kUint16},   {"int", PlyType::kInt32},
-    {"int32", PlyType::kInt32},    {"uint", PlyType::kUint32},     {"uint32", PlyType::kUint32},
-    {"float", PlyType::kFloat32},  {"float32", PlyType::kFloat32}, {"double", PlyType::kFloat64},
-    {"float64", PlyType::kFloat64}};
+    {"char", PlyType::kInt8},       {"int8", PlyType::kInt8},       {"uchar", PlyType::kUint8},
+    {"uint8", PlyType::kUint8},     {"short", PlyType::kInt16},     {"int16", PlyType::kInt16},
+    {"ushort", PlyType::kUint16},   {"uint16", PlyType::kUint16},   {"int", PlyType::kInt32},
+    {"int32", PlyType::kInt32},     {"uint", PlyType::kUint32},     {"uint32", PlyType::kUint32},
+    {"float", PlyType::kFloat32},   {"float32", PlyType::kFloat32}, {"double", PlyType::kFloat64},
+    {"float64", PlyType::kFloat64}, {"int64", PlyType::kInt64},     {"uint64", PlyType::kUint64},
+    {"long", PlyType::kInt64},      {"ulong", PlyType::kUint64}};
+
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return lower;
+}
+
+// Returns the next word of the line in lower case: no word of a header depends on its case.
+std::string take_word(TextScanner& scanner) { return lower_case(scanner.word()); }
 
 PlyType read_type(TextScanner& scanner) {
   const TextScanner start = scanner;
-  const std::string_view word = scanner.word();
+  const std::string word = take_word(scanner);
   for (const TypeName& known : kTypeNames) {
     if (known.name == word) return known.type;
   }
@@ -31,14 +43,14 @@ PlyType read_type(TextScanner& scanner) {
 }
 
 std::string read_name(TextScanner& scanner, const char* what) {
-  const std::string_view word = scanner.word();
+  std::string word = take_word(scanner);
   if (word.empty()) scanner.fail_expected(what);
-  return std::string(word);
+  return word;
 }
 
 PlyFormat read_format(TextScanner& scanner) {
   const TextScanner start = scanner;
-  const std::string_view word = scanner.word();
+  const std::string word = take_word(scanner);
   if (word == "ascii") return PlyFormat::kAscii;
   if (word == "binary_little_endian") return PlyFormat::kLittleEndian;
   if (word == "binary_big_endian") return PlyFormat::kBigEndian;
@@ -48,11 +60,11 @@ PlyFormat read_format(TextScanner& scanner) {
 PlyProperty read_property(TextScanner& scanner) {
   PlyProperty property;
   TextScanner ahead = scanner;
-  if (ahead.word() == "list") {
+  if (take_word(ahead) == "list") {
     scanner = ahead;
     property.is_list = true;
     property.count_type = read_type(scanner);
-    if (property.count_type == PlyType::kFloat32 || property.count_type == PlyType::kFloat64) {
+    if (!is_integer(property.count_type)) {
       scanner.fail("a list cannot be counted in a floating-point type");
     }
   }
@@ -95,14 +107,14 @@ std::size_t PlyElement::record_bytes() const {
 PlyHeader parse_ply_header(std::string_view bytes, std::string_view name) {
   TextScanner scanner(bytes, name);
   const TextScanner start = scanner;
-  if (scanner.word() != "ply") start.fail_expected("the keyword 'ply'");
+  if (take_word(scanner) != "ply") start.fail_expected("the keyword 'ply'");
   scanner.skip_line();
   PlyHeader header;
   bool has_format = false;
   while (true) {
     scanner.find_word();
     const TextScanner statement = scanner;
-    const std::string_view keyword = scanner.word();
+    const std::string keyword = take_word(scanner);
     if (keyword == "end_header") break;
     if (keyword == "format") {
       header.format = read_format(scanner);

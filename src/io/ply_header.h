@@ -13,19 +13,30 @@ namespace kdm {
 /// How the data behind the header are written.
 enum class PlyFormat { kAscii, kLittleEndian, kBigEndian };
 /// The types that a value can have.
-enum class PlyType { kInt8, kUint8, kInt16, kUint16, kInt32, kUint32, kFloat32, kFloat64 };
+enum class PlyType {
+  kInt8,
+  kUint8,
+  kInt16,
+  kUint16,
+  kInt32,
+  kUint32,
+  kInt64,
+  kUint64,
+  kFloat32,
+  kFloat64
+};
 
 /// A value, or a list of values, of each record of an element.
 struct PlyProperty {
-  std::string name;
-  PlyType type;  ///< type of the value, or of the items of the list
+  std::string name;  ///< in lower case
+  PlyType type;      ///< type of the value, or of the items of the list
   bool is_list = false;
   PlyType count_type = PlyType::kUint8;  ///< type of the list's length
 };
 
 /// A kind of record, and how many there are.
 struct PlyElement {
-  std::string name;
+  std::string name;  ///< in lower case
   std::uint64_t count = 0;
   std::size_t line = 0;  ///< where the header declares it, for messages
   std::vector<PlyProperty> properties;
@@ -58,10 +69,17 @@ constexpr std::size_t ply_type_bytes(PlyType type) {
     case PlyType::kUint32:
     case PlyType::kFloat32:
       return 4;
+    case PlyType::kInt64:
+    case PlyType::kUint64:
     case PlyType::kFloat64:
       return 8;
   }
   return 0;
+}
+
+/// Tells whether values of a type are whole numbers.
+constexpr bool is_integer(PlyType type) {
+  return type != PlyType::kFloat32 && type != PlyType::kFloat64;
 }
 
 /// Reads the header at the beginning of a file, which messages call `name`. Throws `kParseError`

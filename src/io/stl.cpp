@@ -3,11 +3,16 @@
 // in this format, and none are joined here.
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <optional>
+#include <vector>
 
 #include "geometry/triangle.h"
 #include "io/bytes.h"
+#include "io/decode_text.h"
 #include "io/formats.h"
 #include "io/mesh_builder.h"
+#include "io/sniff.h"
 #include "io/text_scanner.h"
 #include "text/compose.h"
 
@@ -16,7 +21,6 @@ namespace {
 
 constexpr std::size_t kHeaderBytes = 84;
 constexpr std::size_t kFacetBytes = 50;
-constexpr std::string_view kAxisNames = "xyz";
 
 bool same_word(std::string_view word, std::string_view lower_case) {
   return word.size() == lower_case.size() &&
@@ -25,95 +29,151 @@ bool same_word(std::string_view word, std::string_view lower_case) {
          });
 }
 
-// Tells whether a file is ASCII. Binary files may begin with "solid" too; so a file that is as long
-// as its count of facets asks for is binary, and so is one whose beginning is no text.
-bool is_ascii(std::string_view bytes, std::string_view name) {
-  if (bytes.size() >= kHeaderBytes) {
-    ByteReader reader(bytes, name, ByteOrder::kLittle, kHeaderBytes - 4);
-    const std::uint64_t count = reader.take_unsigned<std::uint32_t>();
-    if (bytes.size() == kHeaderBytes + kFacetBytes * count) return false;
+// Adds a facet with vertices of its own. If it has no place or no area, nothing is added but its
+// number.
+void add_facet(MeshBuilder& builder, const Vec3* positions, std::size_t count, Place place,
+               Warnings& warnings) {
+  const bool finite = std::all_of(positions, positions + count, MeshBuilder::is_somewhere);
+  if (!finite || count < 3) {
+    warnings.skip(finite ? Skip::kFewCorners : Skip::kNotFinite, place);
+    builder.add_face(nullptr, 0);
+    return;
   }
-  const std::size_t first = bytes.find_first_not_of(" \t\r\n");
-  return first != std::string_view::npos && same_word(bytes.substr(first, 5), "solid") &&
-         bytes.substr(0, 1024).find('\0') == std::string_view::npos;
+  const Index first = builder.vertex_count();
+  for (std::size_t i = 0; i < count; ++i) builder.add_vertex(positions[i], [&] { return place; });
+  if (count == 3) {
+    const Index corners[3] = {first, first + 1, first + 2};
+    builder.add_face(corners, 3);
+    return;
+  }
+  std::vector<Index> corners(count);
+  std::iota(corners.begin(), corners.end(), first);
+  builder.add_face(corners);
 }
 
-Mesh parse_binary(std::string_view bytes, std::string_view name) {
+// Tells whether a file is ASCII. Binary files may begin with "solid" too; so a file that is as long
+// as its count of facets asks for is binary, and so is one whose beginning is no text.
+bool is_ascii(std::string_view bytes) {
+  const std::string_view text = without_padding(bytes);
+  return !text.empty() && !is_whole_binary_stl(bytes) && looks_like_text(text);
+}
+
+// Returns how many facets a binary file has. Some programs write no count, or a wrong one: if whole
+// facets fill the file, its length is right.
+std::uint64_t count_facets(ByteReader& reader, Warnings& warnings) {
+  const std::uint64_t count = reader.take_unsigned<std::uint32_t>();
+  const std::uint64_t room = reader.bytes_left() / kFacetBytes;
+  const bool filled = room > 0 && reader.bytes_left() % kFacetBytes == 0;
+  const bool no_count = count == 0 || count == 0xffffffffu;
+  if (count == room || room == 0 || !(filled || no_count)) return count;
+  warnings.add(compose("the header counts {} facets, but the file is as long as {}; these are read",
+                       count, room));
+  return room;
+}
+
+Mesh parse_binary(std::string_view bytes, std::string_view name, Warnings& warnings) {
   ByteReader reader(bytes, name, ByteOrder::kLittle, 0);
   reader.require(1, kHeaderBytes, "STL header");
   reader.skip(kHeaderBytes - 4);
-  const std::uint32_t count = reader.take_unsigned<std::uint32_t>();
+  const std::uint64_t count = count_facets(reader, warnings);
   reader.require(count, kFacetBytes, "STL facet");
   MeshBuilder builder;
-  builder.reserve_vertices(std::size_t{count} * 3);
-  builder.reserve_faces(count);
-  for (std::uint32_t facet = 0; facet < count; ++facet) {
+  builder.reserve_vertices(static_cast<std::size_t>(count) * 3);
+  builder.reserve_faces(static_cast<std::size_t>(count));
+  for (std::uint64_t facet = 0; facet < count; ++facet) {
+    const Place place{"byte", reader.offset()};
     reader.skip(12);  // the normal: often zero, and wrong where it matters
-    const Index first = builder.vertex_count();
-    for (int corner = 0; corner < 3; ++corner) {
-      Vec3 position;
+    Vec3 positions[3];
+    for (Vec3& position : positions) {
       for (int axis = 0; axis < 3; ++axis) {
-        const float value = reader.take<float, std::uint32_t>();
-        if (!std::isfinite(value)) {
-          reader.fail_at(reader.offset() - 4,
-                         compose("coordinate {} of facet {} is not a finite number",
-                                 kAxisNames[static_cast<std::size_t>(axis)], facet));
-        }
-        position[axis] = double{value};
+        position[axis] = double{reader.take<float, std::uint32_t>()};
       }
-      builder.add_vertex(position);
     }
-    const Index corners[3] = {first, first + 1, first + 2};
-    builder.add_face(corners, 3);
     reader.skip(2);
+    add_facet(builder, positions, 3, place, warnings);
   }
-  return builder.finish();
+  return builder.finish(warnings);
 }
 
+// Reads what is written, which is not always what the format asks for: solids without a name or an
+// end, "end loop" for "endloop", lines of colours and of whatever else between the facets.
 class AsciiStlReader {
  public:
-  AsciiStlReader(std::string_view text, std::string_view name) : scanner_(text, name) {}
+  AsciiStlReader(std::string_view text, std::string_view name, Warnings& warnings)
+      : scanner_(text, name), warnings_(warnings) {}
 
   Mesh read() {
-    while (scanner_.find_word()) read_solid();
-    return builder_.finish();
+    std::optional<TextScanner> unknown;  // the first statement that is none
+    bool facets = false;
+    bool open = false;
+    while (scanner_.find_word()) {
+      if (next_is("facet")) {
+        read_facet();
+        facets = true;
+      } else if (next_is("solid")) {
+        skip_name();
+        open = true;
+      } else if (next_is_end_of("solid")) {
+        skip_name();
+        open = false;
+      } else {
+        if (!unknown) unknown = scanner_;
+        scanner_.skip_line();
+      }
+    }
+    if (!facets && unknown) unknown->fail_expected("'facet'");
+    if (!facets && open) scanner_.fail_expected("'facet'");
+    return builder_.finish(warnings_);
   }
 
  private:
-  void read_solid() {
-    expect("solid");
-    scanner_.skip_line();  // its name
-    while (true) {
-      scanner_.find_word();
-      if (next_is("endsolid")) break;
-      read_facet();
-    }
-    scanner_.skip_line();
+  // A name ends with its line, or where a facet begins: some files are a single line.
+  void skip_name() {
+    while (!scanner_.at_line_end() && !at_facet()) scanner_.word();
+  }
+
+  bool at_facet() const {
+    TextScanner ahead = scanner_;
+    return same_word(ahead.word(), "facet") && same_word(ahead.word(), "normal");
   }
 
   void read_facet() {
-    expect("facet");
-    expect("normal");
+    const Place place{"line", scanner_.line()};
     // Some writers put "nan" here. The normal follows from the order of the corners anyway.
-    for (int i = 0; i < 3; ++i) scanner_.word();
+    if (next_is("normal")) {
+      for (int i = 0; i < 3; ++i) scanner_.word();
+    }
+    skip_lines_before("outer");
     expect("outer");
     expect("loop");
-    corners_.clear();
+    positions_.clear();
     while (true) {
       scanner_.find_word();
-      if (next_is("endloop")) break;
-      expect("vertex");
-      const double x = scanner_.number("coordinate x");
-      const double y = scanner_.number("coordinate y");
-      const double z = scanner_.number("coordinate z");
-      corners_.push_back(builder_.vertex_count());
-      builder_.add_vertex({x, y, z});
+      if (next_is("vertex")) {
+        const double x = scanner_.coordinate("coordinate x");
+        const double y = scanner_.coordinate("coordinate y");
+        const double z = scanner_.coordinate("coordinate z");
+        positions_.push_back({x, y, z});
+      } else if (next_is_end_of("loop")) {
+        break;
+      } else {
+        scanner_.fail_expected("'vertex'");
+      }
     }
-    if (corners_.size() < 3) {
-      scanner_.fail(compose("a facet needs three vertices, this one has {}", corners_.size()));
+    scanner_.find_word();
+    if (!next_is_end_of("facet")) scanner_.fail_expected("'endfacet'");
+    add_facet(builder_, positions_.data(), positions_.size(), place, warnings_);
+  }
+
+  // Passes over lines of colours inside a facet.
+  void skip_lines_before(std::string_view keyword) {
+    while (scanner_.find_word()) {
+      TextScanner ahead = scanner_;
+      const std::string_view word = ahead.word();
+      if (same_word(word, keyword)) return;
+      if (!same_word(word, "color") && !same_word(word, "colour")) return;
+      scanner_.skip_line();
     }
-    builder_.add_face(corners_);
-    expect("endfacet");
   }
 
   void expect(const char* keyword) {
@@ -128,9 +188,22 @@ class AsciiStlReader {
     return true;
   }
 
+  // Takes "endloop" or "end loop" for "loop".
+  bool next_is_end_of(std::string_view keyword) {
+    TextScanner ahead = scanner_;
+    std::string_view word = ahead.word();
+    if (!same_word(word.substr(0, 3), "end")) return false;
+    word.remove_prefix(3);
+    if (word.empty()) word = ahead.word();
+    if (!same_word(word, keyword)) return false;
+    scanner_ = ahead;
+    return true;
+  }
+
   TextScanner scanner_;
+  Warnings& warnings_;
   MeshBuilder builder_;
-  std::vector<Index> corners_;
+  std::vector<Vec3> positions_;
 };
 
 // Appends a facet. Its normal is computed from the rounded positions that the file holds, so that
@@ -153,8 +226,9 @@ void append_facet(std::string& out, const Mesh& mesh, const Triangle& t) {
 
 }  // namespace
 
-Mesh parse_stl(std::string_view bytes, std::string_view name) {
-  return is_ascii(bytes, name) ? AsciiStlReader(bytes, name).read() : parse_binary(bytes, name);
+Mesh parse_stl(std::string_view bytes, std::string_view name, Warnings& warnings) {
+  if (is_ascii(bytes)) return AsciiStlReader(without_padding(bytes), name, warnings).read();
+  return parse_binary(bytes, name, warnings);
 }
 
 std::string format_stl(const Mesh& mesh) {

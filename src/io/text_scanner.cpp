@@ -5,6 +5,7 @@
 #include <fast_float/fast_float.h>
 
 #include <cmath>
+#include <limits>
 
 #include "kdmanifold/error.h"
 #include "text/compose.h"
@@ -14,32 +15,73 @@ namespace {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
+// "0,5" would be a number if the comma were a point.
+bool has_decimal_comma(std::string_view word) {
+  std::string number(word);
+  const std::size_t comma = number.find(',');
+  if (comma == std::string::npos) return false;
+  number[comma] = '.';
+  const char* first = number.data() + (number[0] == '+' ? 1 : 0);
+  const char* last = number.data() + number.size();
+  double value = 0;
+  const fast_float::from_chars_result result = fast_float::from_chars(first, last, value);
+  return result.ec == std::errc() && result.ptr == last && number.size() > comma + 1;
+}
+
+// "1.#QNAN" and the like are what Microsoft's older C library writes.
+bool is_microsoft_nan(std::string_view word) {
+  const std::size_t mark = word.find(".#");
+  if (mark == std::string_view::npos || mark == 0 || !is_digit(word[mark - 1])) return false;
+  const std::string_view kind = word.substr(mark + 2);
+  for (const std::string_view known : {"QNAN", "SNAN", "IND", "INF"}) {
+    if (kind.substr(0, known.size()) == known) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
+std::string_view TextScanner::rest_of_word() const {
+  TextScanner rest = *this;
+  return rest.word();
+}
+
+void TextScanner::fail_number(const char* what) const {
+  const std::string_view word = rest_of_word();
+  if (has_decimal_comma(word)) {
+    fail(
+        compose("{} is {}, with a decimal comma; a decimal point is expected", what, quoted(word)));
+  }
+  fail_expected(what);
+}
+
 double TextScanner::number(const char* what) {
+  skip_blanks();
+  const TextScanner start = *this;
+  const double value = coordinate(what);
+  if (std::isfinite(value)) return value;
+  fail(compose("{} is {}, which is not a finite number", what, quoted(start.rest_of_word())));
+}
+
+double TextScanner::coordinate(const char* what) {
   skip_blanks();
   const char* first = at_;
   // from_chars takes no plus sign, so it is skipped. No second sign may follow it.
   if (!at_end() && *first == '+') {
     ++first;
-    if (first == end_ || !(is_digit(*first) || *first == '.')) fail_expected(what);
+    if (first == end_ || !(is_digit(*first) || *first == '.')) fail_number(what);
   }
   double value = 0;
   const fast_float::from_chars_result result = fast_float::from_chars(first, end_, value);
-  // A number out of range gives infinity, which is refused below, or zero, which is the nearest
-  // double.
-  if (result.ec == std::errc::invalid_argument || result.ptr == first) fail_expected(what);
+  // A number out of range gives infinity, or zero, which is the nearest double.
+  if (result.ec == std::errc::invalid_argument || result.ptr == first) fail_number(what);
   const char* word = at_;
   at_ = result.ptr;
-  if (!at_delimiter()) {
-    at_ = word;
-    fail_expected(what);
-  }
-  if (!std::isfinite(value)) {
-    fail(compose("{} is {}, which is not a finite number", what,
-                 quoted({word, static_cast<std::size_t>(at_ - word)})));
-  }
-  return value;
+  if (at_delimiter()) return value;
+  at_ = word;
+  if (!is_microsoft_nan(rest_of_word())) fail_number(what);
+  this->word();
+  return std::numeric_limits<double>::quiet_NaN();
 }
 
 std::int64_t TextScanner::integer_prefix(const char* what) {

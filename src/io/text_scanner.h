@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Takes words and numbers from text, and knows the line that it is on. Numbers are read in the same
-// way whatever the locale is (by fast_float). CR, LF and CR LF all end a line.
+// way whatever the locale is (by fast_float). CR, LF and CR LF all end a line. A byte order mark at
+// the beginning is passed over.
 #pragma once
 
 #include <cstddef>
@@ -25,7 +26,9 @@ class TextScanner {
         at_(text.data()),
         end_(text.data() + text.size()),
         name_(name),
-        syntax_(syntax) {}
+        syntax_(syntax) {
+    take("\xef\xbb\xbf");
+  }
 
   bool at_end() const { return at_ == end_; }
   std::size_t offset() const { return static_cast<std::size_t>(at_ - begin_); }
@@ -75,6 +78,9 @@ class TextScanner {
   /// Takes the next word of this line as a finite number; `what` names it in messages. Throws
   /// `kParseError` if the word is no finite number.
   double number(const char* what);
+  /// Takes the next word of this line as a number, which may not be finite: "nan", "inf", and what
+  /// C libraries write for them. Throws `kParseError` if the word is nothing of these.
+  double coordinate(const char* what);
   /// Takes the next word of this line as an integer; `what` names it in messages. Throws
   /// `kParseError` if the word is no integer.
   std::int64_t integer(const char* what);
@@ -89,6 +95,9 @@ class TextScanner {
   [[noreturn]] void fail_expected(std::string_view what) const;
 
  private:
+  [[noreturn]] void fail_number(const char* what) const;
+  std::string_view rest_of_word() const;
+
   static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
   static bool is_newline(char c) { return c == '\n' || c == '\r'; }
   bool at_continuation() const {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The types of what Emscripten generates from wasm/tools_bindings.cpp. Only library.ts and defects.ts see them.
 import type { Answer, CreateModule, RawInstance } from './kdmanifold.js';
-import type { MeshDefects, ParsedMesh, PolygonMeshInput } from './types.js';
+import type { FileMesh, MeshDefects, PolygonMeshInput } from './types.js';
 
 /** What the wrapper makes `boundaryLoops` and `parts` of. */
 export interface RawDefects extends Omit<MeshDefects, 'boundaryLoops' | 'parts'> {
@@ -13,7 +13,7 @@ export interface RawDefects extends Omit<MeshDefects, 'boundaryLoops' | 'parts'>
 }
 
 export interface RawTools extends RawInstance {
-  parseMesh(bytes: Uint8Array, format: string, name: string): Answer<ParsedMesh>;
+  parseMesh(bytes: Uint8Array, format: string, name: string): Answer<FileMesh>;
   formatMesh(
     mesh: PolygonMeshInput,
     format: string,

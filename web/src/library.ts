@@ -16,6 +16,7 @@ import type { OwnUint8Array } from './outside-types.js';
 import type {
   AnalyzeOptions,
   BuildOptions,
+  FileMesh,
   MeshDefects,
   MeshFormat,
   MeshInput,
@@ -255,12 +256,13 @@ export class KdManifold {
   }
 
   /**
-   * Reads a file's content.
+   * Reads a file's content. What it is for certain counts, not the format asked for; text may be UTF-8 or UTF-16.
+   * Faces with fewer than three corners or with a coordinate that is not finite are skipped, with a warning.
    *
    * @param content - bytes, or the text of an OBJ, OFF, text STL or text PLY
-   * @param format - which it is
+   * @param format - which it is; counts where the content fits no format for certain
    * @param name - what error messages call it
-   * @returns the mesh; polygons are cut into triangles, which `sourceFaces` tells
+   * @returns the mesh and `warnings`; polygons are cut into triangles, which `sourceFaces` tells
    * @throws {@link KdManifoldError} with `PARSE_ERROR` (line, byte or rule), `INVALID_OPTION`, `OUT_OF_MEMORY`
    *
    * @example
@@ -275,7 +277,7 @@ export class KdManifold {
     content: Uint8Array | ArrayBuffer | string,
     format: MeshFormat,
     name = 'input',
-  ): ParsedMesh {
+  ): FileMesh {
     const tools = this.#demandTools();
     checkFormat(format);
     const bytes =

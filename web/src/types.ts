@@ -61,6 +61,12 @@ export interface ParsedMesh {
   sourceFaces: OwnUint32Array;
 }
 
+/** A mesh from a file, and what its reader says about it. */
+export interface FileMesh extends ParsedMesh {
+  /** What was skipped or assumed, in words; empty if nothing was. */
+  warnings: string[];
+}
+
 /** The file formats that are read and written. */
 export type MeshFormat = 'obj' | 'stl' | 'ply' | 'off';
 

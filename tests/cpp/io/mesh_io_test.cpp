@@ -123,8 +123,9 @@ TEST(MeshIo, NumbersDoNotDependOnTheLocale) {
     expect_same(mesh, parse_mesh(files[i], kFormats[i]), kFormats[i]);
   }
   EXPECT_EQ(parse_mesh("v 1.5 2.25 3\n", MeshFormat::kObj).positions[0], Vec3(1.5, 2.25, 3));
-  EXPECT_EQ(io_test::parse_fault("v 1.5 2,25 3\n", MeshFormat::kObj),
-            "in: line 1: coordinate y is expected, not '2,25'");
+  EXPECT_EQ(
+      io_test::parse_fault("v 1.5 2,25 3\n", MeshFormat::kObj),
+      "in: line 1: coordinate y is '2,25', with a decimal comma; a decimal point is expected");
   std::setlocale(LC_ALL, c_before.c_str());
   std::locale::global(before);
 }

@@ -92,24 +92,17 @@ TEST(ObjRead, FaultsNameTheLine) {
             "in: line 5: a vertex index is expected, not '99999999999999999999'");
   EXPECT_EQ(fault(v + "f 1 2 4294967296\n"),
             "in: line 5: vertex index 4294967296 is out of range, there are 4 vertices");
-  EXPECT_EQ(fault(v + "f 1 2\n"), "in: line 5: a face needs three corners or more, this one has 2");
-  EXPECT_EQ(fault(v + "f\n"), "in: line 5: a face needs three corners or more, this one has 0");
+  EXPECT_EQ(fault(v + "f 1 2\n"),
+            "in: line 5: no face is left: 1 face has fewer than three corners");
+  EXPECT_EQ(fault(v + "f\n"), "in: line 5: no face is left: 1 face has fewer than three corners");
   EXPECT_EQ(fault(v + "f 1 2 three\n"), "in: line 5: a vertex index is expected, not 'three'");
   EXPECT_EQ(fault(v + "f 1/x 2 3\n"), "in: line 5: a texture or normal index is expected, not 'x'");
   EXPECT_EQ(fault(v + "f 1/1/1/1 2 3\n"), "in: line 5: the end of a corner is expected, not '/1'");
   EXPECT_EQ(fault("v 1 2\nv 1 2 3\n"), "in: line 1: the line ends where coordinate z is expected");
   EXPECT_EQ(fault("\r\nv 1 2"), "in: line 2: the file ends where coordinate z is expected");
   EXPECT_EQ(fault("v 1 2 x\n"), "in: line 1: coordinate z is expected, not 'x'");
-  EXPECT_EQ(fault("v 1,5 2 3\n"), "in: line 1: coordinate x is expected, not '1,5'");
   EXPECT_EQ(fault("v 1.5.5 2 3\n"), "in: line 1: coordinate x is expected, not '1.5.5'");
   EXPECT_EQ(fault("v +-1 2 3\n"), "in: line 1: coordinate x is expected, not '+-1'");
-  EXPECT_EQ(fault("v 0 0 \\\n\\\nnan\n"),
-            "in: line 3: coordinate z is 'nan', which is not a finite number");
-  EXPECT_EQ(fault("v 0 -inf 0\n"),
-            "in: line 1: coordinate y is '-inf', which is not a finite number");
-  EXPECT_EQ(fault("v 0 1e999 0\n"),
-            "in: line 1: coordinate y is '1e999', which is not a finite number");
-  EXPECT_EQ(fault("v 1.#QNAN 0 0\n"), "in: line 1: coordinate x is expected, not '1.#QNAN'");
   EXPECT_EQ(fault(std::string_view("v 0 0 0\n\0\1\2 x\n", 15)),
             "in: line 2: a keyword is expected, not '\?\?\?'");
 }

@@ -15,9 +15,10 @@ std::string fault(std::string_view text) { return parse_fault(text, MeshFormat::
 
 TEST(OffRead, HeadersInUse) {
   const std::string body = "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
-  for (const char* header : {"OFF\n3 1 0\n", "OFF 3 1 0\n", "OFF3 1 0\n", "OFF\n3 1\n",
-                             "# first\nOFF # kind\n\n3 1 3\n\n", "3 1 0\n", "OFF\r\n3 1 0\r\n",
-                             "\xef\xbb\xbfOFF\n3\n1 0\n"}) {
+  for (const char* header :
+       {"OFF\n3 1 0\n", "OFF 3 1 0\n", "OFF3 1 0\n", "OFF\n3 1\n",
+        "# first\nOFF # kind\n\n3 1 3\n\n", "3 1 0\n", "OFF\r\n3 1 0\r\n",
+        "\xef\xbb\xbfOFF\n3\n1 0\n", "off\n3 1 0\n", "OFF\n3\n1\n3\n", "Off 3\n1\n3\n"}) {
     const Mesh mesh = parse(header + body);
     EXPECT_EQ(mesh.triangles, (std::vector<Triangle>{{0, 1, 2}})) << header;
     EXPECT_EQ(mesh.positions[1], Vec3(1, 0, 0)) << header;
@@ -31,6 +32,18 @@ TEST(OffRead, ColoursAndNormalsAreIgnored) {
   EXPECT_EQ(parse("NOFF\n3 1 0\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n3 0 1 2\n").positions[2],
             Vec3(0, 1, 0));
   EXPECT_EQ(parse("STCNOFF\n1 0 0\n4 5 6 0 0 1 1 1 1 1 0 0\n").positions[0], Vec3(4, 5, 6));
+}
+
+TEST(OffRead, WhiteSpaceIsFree) {
+  for (const char* text :
+       {"OFF 3 1 0 0 0 0 1 0 0 0 1 0 3 0 1 2", "OFF\n3 1 0\n0 0 0 1 0 0\n0 1 0 3 0 1 2\n",
+        "OFF\n3 1 0\n0\n0\n0\n1 0\n0 0\n1 0\n3\n0 1\n2\n",
+        "NOFF 3 1 0 0 0 0 0 0 1 1 0 0 0 0 1 0 1 0 0 0 1 3 0 1 2",
+        "coff\n3 1 0\n0 0 0 1 1 1 1\n1 0 0 1 1 1 1\n0 1 0 1 1 1 1\n3 0 1 2 1 1 1 1\n"}) {
+    const Mesh mesh = parse(text);
+    EXPECT_EQ(mesh.triangles, (std::vector<Triangle>{{0, 1, 2}})) << text;
+    EXPECT_EQ(mesh.positions, (std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}})) << text;
+  }
 }
 
 TEST(OffRead, PolygonsSegmentsAndPoints) {
@@ -52,16 +65,16 @@ TEST(OffRead, FaultsNameTheLine) {
   EXPECT_EQ(fault("OFF\n3 1 0\n0 0 0\n1 0 0\n"),
             "in: line 5: the file ends where vertex 3 of 3 is expected");
   EXPECT_EQ(fault("OFF\n3 1 0\n0 0\n1 0 0\n"),
-            "in: line 3: the line ends where coordinate z is expected");
+            "in: line 5: the file ends where coordinate z is expected");
   EXPECT_EQ(fault(start), "in: line 6: the file ends where face 1 of 1 is expected");
   EXPECT_EQ(fault(start + "3 0 1 3\n"),
             "in: line 6: vertex index 3 is out of range, there are 3 vertices (from 0)");
   EXPECT_EQ(fault(start + "3 0 1 -1\n"),
             "in: line 6: vertex index -1 is out of range, there are 3 vertices (from 0)");
-  EXPECT_EQ(fault(start + "3 0 1\n"), "in: line 6: the line ends where a vertex index is expected");
+  EXPECT_EQ(fault(start + "3 0 1\n"), "in: line 7: the file ends where a vertex index is expected");
   EXPECT_EQ(fault(start + "-3 0 1 2\n"), "in: line 6: a face with -3 corners");
   EXPECT_EQ(fault(start + "999999999999 0 1 2\n"),
-            "in: line 6: the line ends where a vertex index is expected");
+            "in: line 7: the file ends where a vertex index is expected");
   // Counts that nothing backs must not be allocated.
   EXPECT_EQ(fault("OFF\n999999999999999999 999999999999999999 0\n0 0 0\n"),
             "in: line 4: the file ends where vertex 2 of 999999999999999999 is expected");

@@ -54,6 +54,36 @@ TEST(StlRead, Ascii) {
   EXPECT_TRUE(parse("solid\nendsolid\n").triangles.empty());
 }
 
+TEST(StlRead, BinaryWithAWrongCount) {
+  for (const char* count : {"\0\0\0\0", "\xff\xff\xff\xff", "\1\0\0\0", "\x20\0\0\0"}) {
+    std::string bytes = binary();
+    std::memcpy(bytes.data() + 80, count, 4);
+    std::vector<std::string> warnings;
+    EXPECT_EQ(parse_mesh(bytes, MeshFormat::kStl, "in", &warnings).triangles.size(), 6u);
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_NE(warnings[0].find("the file is as long as 6; these are read"), std::string::npos);
+  }
+  std::string bytes = binary() + "tail";
+  std::memcpy(bytes.data() + 80, "\0\0\0\0", 4);
+  EXPECT_EQ(parse(bytes).triangles.size(), 6u);
+}
+
+TEST(StlRead, AsciiAsItIsWritten) {
+  const std::string loop = "outer loop vertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n";
+  const std::string facet = "facet normal 0 0 1\n" + loop + "endloop\nendfacet\n";
+  for (const std::string& text :
+       {"solid x\nfacet normal 0 0 1\n" + loop + "end loop\nend facet\nend solid\n",
+        "solid x\n" + facet,                                    // no end
+        "solid x " + facet + "endsolid x\n",                    // a facet behind the name
+        "solid x\ncolor 0.2 0.3 0.4\n" + facet + "whatever\n",  // lines that STL does not know
+        "solid x\nfacet normal 0 0 1\ncolor 1 0 0\n" + loop + "endloop\nendfacet\nendsolid\n",
+        "SOLID X\n" + facet + std::string("endsolid\n\0\0\x1a\n", 13), facet,
+        "\xef\xbb\xbfsolid x\n" + facet + "endsolid x\n"}) {
+    EXPECT_EQ(parse(text).triangles.size(), 1u) << text;
+  }
+  EXPECT_EQ(parse("solid x " + facet + "endsolid x solid y " + facet).triangles.size(), 2u);
+}
+
 TEST(StlRead, FaultsNameTheLineOrByte) {
   EXPECT_EQ(fault(""),
             "in: byte 0: 1 x STL header of 84 bytes should follow, but the file ends at "
@@ -63,31 +93,37 @@ TEST(StlRead, FaultsNameTheLineOrByte) {
   std::string bytes = binary();
   const float nan = std::numeric_limits<float>::quiet_NaN();
   std::memcpy(bytes.data() + 84 + 50 + 12 + 16, &nan, 4);
-  EXPECT_EQ(fault(bytes), "in: byte 162: coordinate y of facet 1 is not a finite number");
+  std::vector<std::string> warnings;
+  const Mesh rest = parse_mesh(bytes, MeshFormat::kStl, "in", &warnings);
+  EXPECT_EQ(rest.source_faces, (std::vector<Index>{0, 2, 3, 4, 5}));
+  EXPECT_EQ(rest.positions.size(), 15u);
+  EXPECT_EQ(warnings, (std::vector<std::string>{"1 face has a coordinate that is not a number; "
+                                                "skipped; it is at byte 134"}));
   // A count that nothing backs must not be allocated.
-  bytes = binary();
-  std::memcpy(bytes.data() + 80, "\xff\xff\xff\xff", 4);
+  bytes = binary() + "tail";
+  std::memcpy(bytes.data() + 80, "\xff\xff\xff\x7f", 4);
   EXPECT_EQ(fault(bytes),
-            "in: byte 84: 4294967295 x STL facet of 50 bytes should follow, but the "
-            "file ends at byte 384");
+            "in: byte 84: 2147483647 x STL facet of 50 bytes should follow, but the "
+            "file ends at byte 388");
   EXPECT_EQ(fault("solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0\n"),
             "in: line 4: the line ends where coordinate z is expected");
   EXPECT_EQ(fault("solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 inf\n"),
-            "in: line 4: coordinate z is 'inf', which is not a finite number");
-  EXPECT_EQ(fault("solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 1\nendloop\n"),
-            "in: line 5: a facet needs three vertices, this one has 1");
+            "in: line 5: the file ends where 'vertex' is expected");
+  EXPECT_EQ(fault("solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 1\nendloop\nendfacet"),
+            "in: line 2: no face is left: 1 face has fewer than three corners");
   EXPECT_EQ(fault("solid x\nface\n"), "in: line 2: 'facet' is expected, not 'face'");
   EXPECT_EQ(fault("solid x\n"), "in: line 2: the file ends where 'facet' is expected");
 }
 
 TEST(StlRead, EveryBeginningAndEveryChangedByte) {
   const std::string bytes = binary();
-  EXPECT_EQ(io_test::refused_beginnings(bytes, MeshFormat::kStl), bytes.size());
+  // Whole facets are read, with a warning.
+  EXPECT_EQ(io_test::refused_beginnings(bytes, MeshFormat::kStl), bytes.size() - 5);
   const Mesh small = {io_test::pyramid().positions, {{0, 1, 4}}, {}, {}, {}};
   io_test::try_changed_bytes(format_mesh(small, MeshFormat::kStl), MeshFormat::kStl);
-  // Only the last "endsolid a name\n" may be cut short without a complaint, after the keyword.
+  // Only between its facets may the file be cut short without a complaint.
   const std::string text = kAscii;
-  EXPECT_EQ(io_test::refused_beginnings(text, MeshFormat::kStl), text.size() - 8);
+  EXPECT_EQ(io_test::refused_beginnings(text, MeshFormat::kStl), text.size() - 24);
   io_test::try_changed_bytes(text, MeshFormat::kStl);
 }
 

@@ -41,7 +41,8 @@ async function readMesh(library: KdManifold, path: string, format: FileFormat): 
   const bytes = await readAll(path);
   const name = inputName(path);
   if (format === 'glb') return readGlb(bytes, name);
-  return { mesh: library.parseMesh(bytes, format, name), notes: [] };
+  const { warnings, ...mesh } = library.parseMesh(bytes, format, name);
+  return { mesh, notes: warnings };
 }
 
 async function writeResults(

@@ -26,13 +26,13 @@ export interface CliReport {
   };
   seconds: { read: number; analyze?: number; build?: number; extract?: number; write?: number };
   peakBytes: number;
-  /** What was left out of the input, in words. */
+  /** Warnings: what was left out of the input, in words. */
   notes: string[];
 }
 
 /**
  * Returns `input`, with --stats `defects`, then `grid`, `output` (with --check also its `selfIntersections`), with
- * --check `check`, then `seconds` and `peakBytes`. With --stats alone there is neither `grid` nor `output`.
+ * --check `check`, `warnings` if there are any, then `seconds` and `peakBytes`. With --stats alone there is neither `grid` nor `output`.
  */
 export function reportAsJson(report: CliReport, command: Command): object {
   const { defects, result, seconds } = report;
@@ -46,6 +46,7 @@ export function reportAsJson(report: CliReport, command: Command): object {
     },
     warnings: result?.output.warnings,
     check: command.report.check && result ? pick(result.output, checkKeys) : undefined,
+    warnings: report.notes.length > 0 ? report.notes : undefined,
     seconds: {
       read: seconds.read,
       analyze: seconds.analyze,
