@@ -2,9 +2,6 @@
 // Makes a triangle mesh of the vertices and polygons that a reader finds.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -32,16 +29,13 @@ class MeshBuilder {
   /// the faces that use the vertex, and moves it to another one.
   template <typename GetPlace>
   void add_vertex(const Vec3& position, GetPlace&& place) {
-    if (!is_somewhere(position)) {
-      nowhere_.push_back({vertex_count(), place()});
-      mesh_.positions.push_back(Vec3::Constant(std::numeric_limits<double>::quiet_NaN()));
-      return;
-    }
-    mesh_.positions.push_back(position);
+    if (!is_somewhere(position)) return add_nowhere(place());
+    add_vertex(position);
   }
-  static bool is_somewhere(const Vec3& p) {
-    return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
-  }
+  /// Adds a vertex whose coordinates are finite.
+  void add_vertex(const Vec3& position) { mesh_.positions.push_back(position); }
+  /// Tells whether the coordinates are finite: only of those 0 is a multiple.
+  static bool is_somewhere(const Vec3& p) { return p.x() * 0 + p.y() * 0 + p.z() * 0 == 0; }
 
   /// Adds the next face of the file. Its vertices must have been added when `finish` is called. A
   /// face with fewer than three corners has no area: it gets a number, but no triangle.
@@ -60,16 +54,7 @@ class MeshBuilder {
   void add_face(const std::vector<Index>& corners) { add_face(corners.data(), corners.size()); }
 
   /// Returns the mesh. The builder cannot be used any more.
-  Mesh finish(Warnings& warnings) {
-    Triangulator triangulator;
-    for (const Polygon& polygon : polygons_) {
-      if (!nowhere_.empty() && mark_if_nowhere(polygon)) continue;
-      triangulator.cut(mesh_.positions, corners_.data() + polygon.first_corner, polygon.count,
-                       mesh_.triangles.data() + polygon.first_triangle);
-    }
-    if (!nowhere_.empty()) skip_nowhere(warnings);
-    return std::move(mesh_);
-  }
+  Mesh finish(Warnings& warnings);
 
  private:
   struct Polygon {
@@ -81,57 +66,12 @@ class MeshBuilder {
     Place place;
   };
 
-  // If a corner is nowhere, the polygon's triangles name it, so that they are skipped.
-  bool mark_if_nowhere(const Polygon& polygon) {
-    for (std::size_t i = 0; i < polygon.count; ++i) {
-      const Index corner = corners_[polygon.first_corner + i];
-      if (is_somewhere(mesh_.positions[corner])) continue;
-      const auto first =
-          mesh_.triangles.begin() + static_cast<std::ptrdiff_t>(polygon.first_triangle);
-      std::fill_n(first, polygon.count - 2, Triangle{corner, corner, corner});
-      return true;
-    }
-    return false;
-  }
-
-  // Skips the faces with a vertex that is nowhere, and then moves these vertices to one that is
-  // somewhere: the others keep their numbers, and the mesh its extent.
-  void skip_nowhere(Warnings& warnings) {
-    Index first = kNone;
-    std::uint64_t faces = 0;
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < mesh_.triangles.size(); ++i) {
-      const Triangle t = mesh_.triangles[i];
-      const Index face = mesh_.source_faces[i];
-      Index bad = kNone;
-      for (const Index v : t) {
-        if (!is_somewhere(mesh_.positions[v])) bad = std::min(bad, v);
-      }
-      if (bad == kNone) {
-        mesh_.triangles[kept] = t;
-        mesh_.source_faces[kept++] = face;
-      } else {
-        first = std::min(first, bad);
-        faces += last_skipped_ != face;
-        last_skipped_ = face;
-      }
-    }
-    mesh_.triangles.resize(kept);
-    mesh_.source_faces.resize(kept);
-    if (faces > 0) {
-      const auto found =
-          std::lower_bound(nowhere_.begin(), nowhere_.end(), first,
-                           [](const Nowhere& n, Index vertex) { return n.vertex < vertex; });
-      warnings.skip(Skip::kNotFinite, found->place, faces);
-    }
-    const auto anchor = std::find_if(mesh_.positions.begin(), mesh_.positions.end(), is_somewhere);
-    const Vec3 place = anchor == mesh_.positions.end() ? Vec3(0, 0, 0) : *anchor;
-    for (const Nowhere& vertex : nowhere_) mesh_.positions[vertex.vertex] = place;
-  }
+  void add_nowhere(Place place);
+  bool mark_if_nowhere(const Polygon& polygon);
+  void skip_nowhere(Warnings& warnings);
 
   Mesh mesh_;
-  std::vector<Nowhere> nowhere_;
-  Index last_skipped_ = kNone;
+  std::vector<Nowhere> nowhere_;  // in the order of their vertices
   std::vector<Polygon> polygons_;
   std::vector<Index> corners_;
   Index face_ = 0;  // the number of the next face in the file

@@ -24,9 +24,10 @@ class ObjReader {
   Mesh read(Warnings& warnings) {
     while (scanner_.find_word()) {
       const std::string_view keyword = scanner_.word();
-      if (keyword == "v" || keyword == "V") {
+      const char letter = keyword.size() == 1 ? keyword[0] : '\0';
+      if (letter == 'v' || letter == 'V') {
         read_vertex();
-      } else if (keyword == "f" || keyword == "F" || keyword == "fo") {
+      } else if (letter == 'f' || letter == 'F' || keyword == "fo") {
         read_face(warnings);
       } else if (static_cast<unsigned char>(keyword[0]) < ' ') {
         // Any word may be a keyword of some extension, but this is no text.

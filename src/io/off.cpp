@@ -35,7 +35,7 @@ class OffReader {
     builder_.reserve_vertices(static_cast<std::size_t>(std::min(vertices, bytes / 6 + 1)));
     builder_.reserve_faces(static_cast<std::size_t>(std::min(faces, bytes / 2 + 1)));
     records_left_ = vertices + faces;
-    end_record(0);
+    end_record(0, scanner_.line());
     for (std::uint64_t i = 0; i < vertices; ++i) read_vertex(i, vertices);
     for (std::uint64_t i = 0; i < faces; ++i) read_face(i, faces);
     return builder_.finish(warnings_);
@@ -95,19 +95,20 @@ class OffReader {
     if (!scanner_.find_word()) {
       scanner_.fail_expected(compose("vertex {} of {}", number + 1, count));
     }
-    const double x = read_coordinate("coordinate x");
+    const std::size_t line = scanner_.line();
+    const double x = scanner_.coordinate("coordinate x");
     const double y = read_coordinate("coordinate y");
     const double z = read_coordinate("coordinate z");
     builder_.add_vertex({x, y, z}, [&] { return place(); });
     --records_left_;
-    end_record(extra_numbers_);
+    end_record(extra_numbers_, line);
   }
 
   void read_face(std::uint64_t number, std::uint64_t count) {
     if (!scanner_.find_word()) {
       scanner_.fail_expected(compose("face {} of {}", number + 1, count));
     }
-    const Place start = place();
+    const std::size_t line = scanner_.line();
     const std::int64_t corners = scanner_.integer("the number of corners");
     if (corners < 0) scanner_.fail(compose("a face with {} corners", corners));
     corners_.clear();
@@ -120,10 +121,10 @@ class OffReader {
       }
       corners_.push_back(static_cast<Index>(index));
     }
-    if (corners_.size() < 3) warnings_.skip(Skip::kFewCorners, start);
+    if (corners_.size() < 3) warnings_.skip(Skip::kFewCorners, {"line", line});
     builder_.add_face(corners_);
     --records_left_;
-    end_record(0);
+    end_record(0, line);
   }
 
   double read_coordinate(const char* what) {
@@ -132,11 +133,11 @@ class OffReader {
   }
 
   // Passes over what belongs to a record behind its numbers: the rest of the line (colours and the
-  // like), unless the file has several records a line. Then it is the numbers that the keyword
-  // tells.
-  void end_record(int extra_numbers) {
+  // like), unless records and lines have nothing to do with each other. Then it is the numbers that
+  // the keyword tells.
+  void end_record(int extra_numbers, std::size_t first_line) {
     if (scanner_.at_line_end()) return;
-    if (!is_free_) is_free_ = !has_line_each();
+    if (!is_free_) is_free_ = scanner_.line() != first_line || !has_line_each();
     if (!*is_free_) {
       scanner_.skip_line();
     } else {
@@ -161,7 +162,7 @@ class OffReader {
   std::vector<Index> corners_;
   int extra_numbers_ = 0;  // of each vertex, behind its coordinates
   std::uint64_t records_left_ = 0;
-  std::optional<bool> is_free_;  // whether records share lines; known once it matters
+  std::optional<bool> is_free_;  // whether records share or span lines; known once it matters
 };
 
 }  // namespace

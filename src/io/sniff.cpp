@@ -176,7 +176,7 @@ std::optional<MeshFormat> format_of_text(std::string_view lower) {
 
 bool is_whole_binary_stl(std::string_view bytes) {
   constexpr std::size_t kHeader = 84;
-  if (bytes.size() <= kHeader) return false;
+  if (bytes.size() < kHeader) return false;
   ByteReader reader(bytes, {}, ByteOrder::kLittle, kHeader - 4);
   const std::uint64_t count = reader.take_unsigned<std::uint32_t>();
   return bytes.size() == kHeader + 50 * count;

@@ -19,7 +19,7 @@ struct Content {
 /// Looks at the beginning of a file, which is not UTF-16.
 Content sniff(std::string_view bytes);
 
-/// Tells whether a file is a binary STL file of some facets, exactly as long as its count asks for.
+/// Tells whether a file is a binary STL file, exactly as long as its count of facets asks for.
 bool is_whole_binary_stl(std::string_view bytes);
 
 }  // namespace kdm

@@ -33,14 +33,17 @@ bool same_word(std::string_view word, std::string_view lower_case) {
 // number.
 void add_facet(MeshBuilder& builder, const Vec3* positions, std::size_t count, Place place,
                Warnings& warnings) {
-  const bool finite = std::all_of(positions, positions + count, MeshBuilder::is_somewhere);
+  bool finite = true;
+  for (std::size_t i = 0; i < count; ++i) {
+    finite = finite && MeshBuilder::is_somewhere(positions[i]);
+  }
   if (!finite || count < 3) {
     warnings.skip(finite ? Skip::kFewCorners : Skip::kNotFinite, place);
     builder.add_face(nullptr, 0);
     return;
   }
   const Index first = builder.vertex_count();
-  for (std::size_t i = 0; i < count; ++i) builder.add_vertex(positions[i], [&] { return place; });
+  for (std::size_t i = 0; i < count; ++i) builder.add_vertex(positions[i]);
   if (count == 3) {
     const Index corners[3] = {first, first + 1, first + 2};
     builder.add_face(corners, 3);

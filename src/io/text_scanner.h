@@ -50,6 +50,11 @@ class TextScanner {
 
   /// Goes to the next word, over line ends and comments. Returns false if there is none.
   bool find_word() {
+    // A single blank, the usual case. No white space and no `#` is above '#'.
+    if (bytes_left() >= 2 && *at_ == ' ' && at_[1] > '#' && at_[1] != '\\') {
+      ++at_;
+      return true;
+    }
     while (at_line_end()) {
       if (at_end()) return false;
       skip_line();

@@ -70,6 +70,14 @@ void smoke_parsers(int rounds) {
   add(static_cast<int>(kdm::MeshFormat::kPly), ascii_ply);
   add(static_cast<int>(kdm::MeshFormat::kOff),
       "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n");
+  // What content decides, and what is skipped.
+  add(static_cast<int>(kdm::MeshFormat::kStl), "v 0 nan 0\n" + obj + "f 1 2\nf 1 2 3 4\n");
+  add(static_cast<int>(kdm::MeshFormat::kObj), ascii_stl + "color 1 0 0\n" + ascii_stl);
+  add(static_cast<int>(kdm::MeshFormat::kOff), "nOFF 3 1 0 0 0 0 1 0 0 0 1 0 3 0 1 2");
+  add(static_cast<int>(kdm::MeshFormat::kOff), "NOFF 2 0 0 0 0 0 1 1 1 2 2 2 1 1 1");
+  std::string wide = "\xff\xfe";
+  for (const char c : obj) wide += {c, '\0'};
+  add(static_cast<int>(kdm::MeshFormat::kObj), wide);
   for (int round = 0; round < rounds; ++round) {
     Bytes bytes = corpus[engine() % corpus.size()];
     damage(bytes, engine);

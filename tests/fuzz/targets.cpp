@@ -71,14 +71,20 @@ void parse_bytes(const std::uint8_t* bytes, std::size_t size) {
   if (size == 0) return;
   const auto format = static_cast<MeshFormat>(bytes[0] % 4);
   Mesh mesh;
+  std::vector<std::string> warnings;
   try {
-    mesh = parse_mesh(std::string_view(reinterpret_cast<const char*>(bytes + 1), size - 1), format);
+    const std::string_view file(reinterpret_cast<const char*>(bytes + 1), size - 1);
+    mesh = parse_mesh(file, format, "input", &warnings);
   } catch (const Error& error) {
     demand(error.code() == ErrorCode::kParseError,
            std::string("bad files give PARSE_ERROR, not: ") + error.what());
     return;
   }
   demand_sound(mesh);
+  for (const Vec3& p : mesh.positions) demand(p.allFinite(), "coordinates are finite");
+  for (const std::string& warning : warnings) {
+    demand(!warning.empty() && warning.find('\n') == std::string::npos, "a warning is a line");
+  }
   for (int other = 0; other < 4; ++other) {
     const auto target = static_cast<MeshFormat>(other);
     try {
