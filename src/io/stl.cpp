@@ -29,29 +29,10 @@ bool same_word(std::string_view word, std::string_view lower_case) {
          });
 }
 
-// Adds a facet with vertices of its own. If it has no place or no area, nothing is added but its
-// number.
-void add_facet(MeshBuilder& builder, const Vec3* positions, std::size_t count, Place place,
-               Warnings& warnings) {
-  bool finite = true;
-  for (std::size_t i = 0; i < count; ++i) {
-    finite = finite && MeshBuilder::is_somewhere(positions[i]);
-  }
-  if (!finite || count < 3) {
-    warnings.skip(finite ? Skip::kFewCorners : Skip::kNotFinite, place);
-    builder.add_face(nullptr, 0);
-    return;
-  }
-  const Index first = builder.vertex_count();
-  for (std::size_t i = 0; i < count; ++i) builder.add_vertex(positions[i]);
-  if (count == 3) {
-    const Index corners[3] = {first, first + 1, first + 2};
-    builder.add_face(corners, 3);
-    return;
-  }
-  std::vector<Index> corners(count);
-  std::iota(corners.begin(), corners.end(), first);
-  builder.add_face(corners);
+// Adds a facet that is skipped: it gets a number.
+void skip_facet(MeshBuilder& builder, Skip why, Place place, Warnings& warnings) {
+  warnings.skip(why, place);
+  builder.add_face(nullptr, 0);
 }
 
 // Tells whether a file is ASCII. Binary files may begin with "solid" too; so a file that is as long
@@ -87,13 +68,22 @@ Mesh parse_binary(std::string_view bytes, std::string_view name, Warnings& warni
     const Place place{"byte", reader.offset()};
     reader.skip(12);  // the normal: often zero, and wrong where it matters
     Vec3 positions[3];
+    bool finite = true;
     for (Vec3& position : positions) {
       for (int axis = 0; axis < 3; ++axis) {
         position[axis] = double{reader.take<float, std::uint32_t>()};
       }
+      finite = finite && MeshBuilder::is_somewhere(position);
     }
     reader.skip(2);
-    add_facet(builder, positions, 3, place, warnings);
+    if (!finite) {
+      skip_facet(builder, Skip::kNotFinite, place, warnings);
+      continue;
+    }
+    const Index first = builder.vertex_count();
+    for (const Vec3& position : positions) builder.add_vertex(position);
+    const Index corners[3] = {first, first + 1, first + 2};
+    builder.add_face(corners, 3);
   }
   return builder.finish(warnings);
 }
@@ -165,7 +155,18 @@ class AsciiStlReader {
     }
     scanner_.find_word();
     if (!next_is_end_of("facet")) scanner_.fail_expected("'endfacet'");
-    add_facet(builder_, positions_.data(), positions_.size(), place, warnings_);
+    add_facet(place);
+  }
+
+  void add_facet(Place place) {
+    if (!std::all_of(positions_.begin(), positions_.end(), MeshBuilder::is_somewhere)) {
+      return skip_facet(builder_, Skip::kNotFinite, place, warnings_);
+    }
+    if (positions_.size() < 3) return skip_facet(builder_, Skip::kFewCorners, place, warnings_);
+    corners_.resize(positions_.size());
+    std::iota(corners_.begin(), corners_.end(), builder_.vertex_count());
+    for (const Vec3& position : positions_) builder_.add_vertex(position);
+    builder_.add_face(corners_);
   }
 
   // Passes over lines of colours inside a facet.
@@ -207,6 +208,7 @@ class AsciiStlReader {
   Warnings& warnings_;
   MeshBuilder builder_;
   std::vector<Vec3> positions_;
+  std::vector<Index> corners_;
 };
 
 // Appends a facet. Its normal is computed from the rounded positions that the file holds, so that

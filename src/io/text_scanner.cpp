@@ -15,17 +15,24 @@ namespace {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-// "0,5" would be a number if the comma were a point.
+// "-0,5" and "1,25e-3". A second call of fast_float would keep compilers from inlining the first.
 bool has_decimal_comma(std::string_view word) {
-  std::string number(word);
-  const std::size_t comma = number.find(',');
-  if (comma == std::string::npos) return false;
-  number[comma] = '.';
-  const char* first = number.data() + (number[0] == '+' ? 1 : 0);
-  const char* last = number.data() + number.size();
-  double value = 0;
-  const fast_float::from_chars_result result = fast_float::from_chars(first, last, value);
-  return result.ec == std::errc() && result.ptr == last && number.size() > comma + 1;
+  std::size_t at = 0;
+  const auto skip_sign = [&] { at += at < word.size() && (word[at] == '-' || word[at] == '+'); };
+  const auto skip_digits = [&] {
+    const std::size_t first = at;
+    while (at < word.size() && is_digit(word[at])) ++at;
+    return at > first;
+  };
+  skip_sign();
+  skip_digits();
+  if (at == word.size() || word[at++] != ',' || !skip_digits()) return false;
+  if (at < word.size() && (word[at] == 'e' || word[at] == 'E')) {
+    ++at;
+    skip_sign();
+    if (!skip_digits()) return false;
+  }
+  return at == word.size();
 }
 
 // "1.#QNAN" and the like are what Microsoft's older C library writes.
@@ -40,6 +47,14 @@ bool is_microsoft_nan(std::string_view word) {
 }
 
 }  // namespace
+
+bool TextScanner::find_word_anywhere() {
+  while (at_line_end()) {
+    if (at_end()) return false;
+    skip_line();
+  }
+  return true;
+}
 
 std::string_view TextScanner::rest_of_word() const {
   TextScanner rest = *this;

@@ -55,11 +55,7 @@ class TextScanner {
       ++at_;
       return true;
     }
-    while (at_line_end()) {
-      if (at_end()) return false;
-      skip_line();
-    }
-    return true;
+    return find_word_anywhere();
   }
 
   /// Takes the next word of this line. Returns an empty one at the line's end.
@@ -100,6 +96,7 @@ class TextScanner {
   [[noreturn]] void fail_expected(std::string_view what) const;
 
  private:
+  bool find_word_anywhere();
   [[noreturn]] void fail_number(const char* what) const;
   std::string_view rest_of_word() const;
 
