@@ -345,6 +345,19 @@ test('meshes are parsed from text, bytes and buffers', () => {
   }
 });
 
+test('content counts more than the format asked for, and what is skipped is said', () => {
+  const corners = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv nan 0 1\n';
+  const { indices, warnings } = kdm.parseMesh(`${corners}f 1 2 3\nf 1 2 4\nf 1 2\n`, 'stl');
+  expect([...indices]).toEqual([0, 1, 2]);
+  expect(warnings).toEqual([
+    '1 face has a coordinate that is not a number; skipped; it is at line 4',
+    '1 face has fewer than three corners; skipped; it is at line 7',
+  ]);
+  expect(kdm.parseMesh(`${corners}f 1 2 3\n`, 'obj').warnings).toEqual([]);
+  const zipped = new Uint8Array([0x1f, 0x8b, 8, 0]);
+  expect(() => kdm.parseMesh(zipped, 'stl')).toThrow('gzip-compressed');
+});
+
 test('formats go by extension', () => {
   expect(formatFromPath('a/b.c/Part.STL')).toBe('stl');
   expect(() => formatFromPath('part')).toThrow('ends in none of');

@@ -178,3 +178,19 @@ test('options in camel case are those with dashes', () =>
       expect(triangles()).toBeGreaterThan(coarse);
     }
   }));
+
+test('warnings about an input come on standard error and as JSON, in the same words', () =>
+  withFolder((folder) => {
+    const file = join(folder, 'a.stl');
+    writeMesh(kdm, join(folder, 'a.obj'), cube());
+    writeFileSync(file, `${readFileSync(join(folder, 'a.obj'), 'utf8')}f 1 2\n`);
+    const runs = both(['a.stl', '-o', 'b.obj', '--force', '--json'], { cwd: folder });
+    for (const { status, stdout, stderr } of runs) {
+      const warning = '1 face has fewer than three corners; skipped; it is at line 21';
+      expect(status).toBe(0);
+      expect(stderr).toBe(`kdmanifold: a.stl: ${warning}\n`);
+      expect(JSON.parse(stdout).warnings).toEqual([warning]);
+    }
+    const [clean] = both(['a.obj', '-o', 'b.obj', '--force', '--json'], { cwd: folder });
+    expect(JSON.parse(clean.stdout)).not.toHaveProperty('warnings');
+  }));
