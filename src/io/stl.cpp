@@ -154,7 +154,8 @@ class AsciiStlReader {
       }
     }
     scanner_.find_word();
-    if (!next_is_end_of("facet")) scanner_.fail_expected("'endfacet'");
+    // The next facet ends this one as well.
+    if (!next_is_end_of("facet") && !at_facet()) scanner_.fail_expected("'endfacet'");
     add_facet(place);
   }
 

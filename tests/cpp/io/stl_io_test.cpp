@@ -82,6 +82,8 @@ TEST(StlRead, AsciiAsItIsWritten) {
     EXPECT_EQ(parse(text).triangles.size(), 1u) << text;
   }
   EXPECT_EQ(parse("solid x " + facet + "endsolid x solid y " + facet).triangles.size(), 2u);
+  const std::string no_end = "facet normal 0 0 1\n" + loop + "endloop\n";
+  EXPECT_EQ(parse("solid\n" + no_end + no_end + facet + "endsolid\n").triangles.size(), 3u);
 }
 
 TEST(StlRead, FaultsNameTheLineOrByte) {
