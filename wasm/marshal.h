@@ -16,6 +16,7 @@
 #include "kdmanifold/error.h"
 #include "kdmanifold/mesh.h"
 #include "kdmanifold/progress.h"
+#include "kdmanifold/warnings.h"
 
 namespace kdm::wasm {
 
@@ -127,29 +128,38 @@ inline Progress to_progress(const val& callback) {
   };
 }
 
+/// Makes {code, message}.
+inline val from_coded(std::string_view code, std::string_view message) {
+  val to = val::object();
+  to.set("code", std::string(code));
+  to.set("message", std::string(message));
+  return to;
+}
+
+/// Makes an array of {code, message}.
+inline val from_warnings(const std::vector<Warning>& warnings) {
+  val to = val::array();
+  for (const auto& [code, message] : warnings) to.call<void>("push", from_coded(code, message));
+  return to;
+}
+
 /// Runs `work` and returns {value} or, whatever C++ exception it ends with, {code, message}.
 template <typename Work>
 val guard(Work&& work) {
-  const auto failure = [](const char* code, const char* message) {
-    val answer = val::object();
-    answer.set("code", std::string(code));
-    answer.set("message", std::string(message));
-    return answer;
-  };
   try {
     val answer = val::object();
     answer.set("value", work());
     return answer;
   } catch (const Error& error) {
-    return failure(error_code_name(error.code()), error.what());
+    return from_coded(error_code_name(error.code()), error.what());
   } catch (const std::bad_alloc&) {
-    return failure("OUT_OF_MEMORY", "not enough memory for this mesh and these options");
+    return from_coded("OUT_OF_MEMORY", "not enough memory for this mesh and these options");
   } catch (const std::length_error&) {
-    return failure("OUT_OF_MEMORY", "an array would be longer than memory allows");
+    return from_coded("OUT_OF_MEMORY", "an array would be longer than memory allows");
   } catch (const std::exception& error) {
-    return failure("INTERNAL", error.what());
+    return from_coded("INTERNAL", error.what());
   } catch (...) {
-    return failure("INTERNAL", "an exception of unknown type");
+    return from_coded("INTERNAL", "an exception of unknown type");
   }
 }
 

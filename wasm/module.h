@@ -38,14 +38,7 @@ inline val extract(const Grid& grid, val options, val progress) {
     check_not_empty(mesh);
     val to = from_mesh(mesh, "Float32Array");
     val report = from_report(mesh.report);
-    val warnings = val::array();
-    for (const Warning& warning : mesh.warnings) {
-      val entry = val::object();
-      entry.set("code", warning.code);
-      entry.set("message", warning.message);
-      warnings.call<void>("push", entry);
-    }
-    report.set("warnings", warnings);
+    report.set("warnings", from_warnings(mesh.warnings));
     to.set("report", report);
     return to;
   });

@@ -15,13 +15,11 @@ namespace kdm::wasm {
 // Positions stay 64-bit, as the native command line has them: both make the same grid.
 inline val parse_mesh(val bytes, val format, std::string name) {
   return guard([&] {
-    std::vector<std::string> warnings;
+    std::vector<Warning> warnings;
     val mesh = from_mesh(
         kdm::parse_mesh(to_bytes(bytes), to_choice<MeshFormat>(format, "format"), name, &warnings),
         "Float64Array");
-    val texts = val::array();
-    for (const std::string& warning : warnings) texts.call<void>("push", warning);
-    mesh.set("warnings", texts);
+    mesh.set("warnings", from_warnings(warnings));
     return mesh;
   });
 }

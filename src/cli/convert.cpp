@@ -93,7 +93,7 @@ void work(const Command& command, const Task& task, ProgressLine& progress, RunR
     report.seconds.read = watch.lap();
   } else {
     ReadMesh read = read_mesh_file(task.input, formats.input);
-    report.notes = std::move(read.notes);
+    report.warnings = std::move(read.warnings);
     report.seconds.read = watch.lap();
     if (command.report.stats) {
       progress.show("analyzing");
@@ -116,7 +116,7 @@ void work(const Command& command, const Task& task, ProgressLine& progress, RunR
   report.grid = grid.stats();
   report.output = describe(result);
   report.extracted = result.report;
-  report.warnings = result.warnings;
+  report.warnings.insert(report.warnings.end(), result.warnings.begin(), result.warnings.end());
   if (command.report.check) report.self_intersections = find_self_intersections(result).pairs;
 }
 

@@ -72,9 +72,6 @@ class Run {
   }
 
   void tell(const RunReport& report, const Task& task) {
-    if (!command_.report.quiet) {
-      for (const std::string& note : report.notes) say(input_name(task.input) + ": " + note);
-    }
     if (!command_.report.json) {
       if (printed_++ > 0) print("\n");
       print(report_as_text(report, command_, task));

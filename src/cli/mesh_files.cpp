@@ -13,11 +13,11 @@ ReadMesh read_mesh_file(const std::string& path, FileFormat format) {
   const std::string name = input_name(path);
   if (format != FileFormat::kGlb) {
     ReadMesh read;
-    read.mesh = parse_mesh(bytes, library_format(format), name, &read.notes);
+    read.mesh = parse_mesh(bytes, library_format(format), name, &read.warnings);
     return read;
   }
   glb::Scene scene = glb::read(bytes, name);
-  return {std::move(scene.mesh), std::move(scene.notes)};
+  return {std::move(scene.mesh), std::move(scene.warnings)};
 }
 
 Grid read_grid_file(const std::string& path) {

@@ -10,10 +10,10 @@
 
 namespace kdm::cli {
 
-/// A mesh that was read, and what was skipped, left out or assumed, in words.
+/// A mesh that was read, and what was skipped, left out or assumed.
 struct ReadMesh {
   Mesh mesh;
-  std::vector<std::string> notes;
+  std::vector<Warning> warnings;
 };
 
 /// Reads an input. Throws `Error`.

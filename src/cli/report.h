@@ -23,11 +23,10 @@ struct RunReport {
   GridStats grid;
   MeshReport output;
   ExtractReport extracted;
-  std::vector<Warning> warnings;
+  std::vector<Warning> warnings;         ///< of the file, then of the result
   std::uint64_t self_intersections = 0;  ///< of the output; with --check only
   Seconds seconds;
-  std::uint64_t peak_bytes = 0;    ///< most memory the process held; 0: unknown
-  std::vector<std::string> notes;  ///< warnings: what was left out of the input, in words
+  std::uint64_t peak_bytes = 0;  ///< most memory the process held; 0: unknown
 };
 
 /// What the parts of a mesh have together.

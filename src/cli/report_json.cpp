@@ -23,6 +23,14 @@ Json input_json(const MeshDefects& input) {
           {"components", input.parts.size()}};
 }
 
+Json warnings_json(const std::vector<Warning>& warnings) {
+  Json json = Json::array();
+  for (const Warning& warning : warnings) {
+    json.push_back({{"code", warning.code}, {"message", warning.message}});
+  }
+  return json;
+}
+
 Json seconds_json(const RunReport& report, const Command& command) {
   Json json = {{"read", report.seconds.read}};
   if (command.report.stats) json["analyze"] = report.seconds.analyze;
@@ -79,16 +87,12 @@ Json report_as_json(const RunReport& report, const Command& command) {
   if (converts(command)) {
     json["grid"] = all_fields(report.grid);
     json["output"] = output_json(report.output, report.extracted);
-    json["warnings"] = Json::array();
-    for (const Warning& warning : report.warnings) {
-      json["warnings"].push_back({{"code", warning.code}, {"message", warning.message}});
-    }
   }
+  json["warnings"] = warnings_json(report.warnings);
   if (command.report.check) {
     json["output"]["selfIntersections"] = report.self_intersections;
     json["check"] = check_json(report.output);
   }
-  if (!report.notes.empty()) json["warnings"] = report.notes;
   json["seconds"] = seconds_json(report, command);
   json["peakBytes"] = report.peak_bytes;
   return json;

@@ -11,7 +11,7 @@
 
 namespace kdm {
 
-Mesh read_mesh(const std::string& path, std::vector<std::string>* warnings) {
+Mesh read_mesh(const std::string& path, std::vector<Warning>* warnings) {
   const MeshFormat format = format_from_path(path);
   try {
     return parse_mesh(read_file(path), format, path, warnings);

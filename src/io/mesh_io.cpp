@@ -85,7 +85,7 @@ MeshFormat format_from_path(std::string_view path) {
 }
 
 Mesh parse_mesh(std::string_view bytes, MeshFormat format, std::string_view name,
-                std::vector<std::string>* warnings) {
+                std::vector<Warning>* warnings) {
   if (std::uint64_t{bytes.size()} > kLargestFile) {
     throw Error(ErrorCode::kParseError, compose("{}: byte {}: files of 4 GiB and more are not "
                                                 "supported",
@@ -105,7 +105,7 @@ Mesh parse_mesh(std::string_view bytes, MeshFormat format, std::string_view name
     }
     Mesh mesh = parse_as(content.format.value_or(format), bytes, name, collected);
     if (mesh.triangles.empty()) collected.fail_if_skipped(name);
-    if (warnings != nullptr) *warnings = collected.texts();
+    if (warnings != nullptr) *warnings = collected.take();
     return mesh;
   } catch (const std::bad_alloc&) {
     throw Error(ErrorCode::kOutOfMemory, compose("{}: not enough memory to read it", name));

@@ -50,7 +50,8 @@ std::uint64_t count_facets(ByteReader& reader, Warnings& warnings) {
   const bool filled = room > 0 && reader.bytes_left() % kFacetBytes == 0;
   const bool no_count = count == 0 || count == 0xffffffffu;
   if (count == room || room == 0 || !(filled || no_count)) return count;
-  warnings.add(compose("the header counts {} facets, but the file is as long as {}; these are read",
+  warnings.add("FACETS_MISCOUNTED",
+               compose("the header counts {} facets, but the file is as long as {}; these are read",
                        count, room));
   return room;
 }

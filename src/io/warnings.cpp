@@ -13,15 +13,14 @@ std::string Warnings::count_text(Skip why, std::uint64_t count) {
       why == Skip::kNotFinite ? "a coordinate that is not a number" : "fewer than three corners");
 }
 
-std::vector<std::string> Warnings::texts() const {
-  std::vector<std::string> texts = others_;
+std::vector<Warning> Warnings::take() {
   for (const Skip why : {Skip::kNotFinite, Skip::kFewCorners}) {
     const auto& [count, first] = kinds_[static_cast<std::size_t>(why)];
     if (count == 0) continue;
-    texts.push_back(compose("{}; skipped; {} at {} {}", count_text(why, count),
-                            count == 1 ? "it is" : "the first is", first.unit, first.number));
+    add("FACES_SKIPPED", compose("{}; skipped; {} at {} {}", count_text(why, count),
+                                 count == 1 ? "it is" : "the first is", first.unit, first.number));
   }
-  return texts;
+  return std::move(others_);
 }
 
 void Warnings::fail_if_skipped(std::string_view name) const {

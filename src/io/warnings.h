@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "kdmanifold/warnings.h"
+
 namespace kdm {
 
 /// A place in a file, in words such as "line 12" or "byte 96".
@@ -29,11 +31,11 @@ class Warnings {
     if (kind.count == 0) kind.first = place;
     kind.count += count;
   }
-  /// Adds a warning in words.
-  void add(std::string text) { others_.push_back(std::move(text)); }
+  /// Adds a warning of another kind.
+  void add(const char* code, std::string message) { others_.push_back({code, std::move(message)}); }
 
-  /// Returns all warnings in words, one each.
-  std::vector<std::string> texts() const;
+  /// Hands all warnings out.
+  std::vector<Warning> take();
   /// Throws `kParseError` if any face was skipped: call it if none is left. `name` is what messages
   /// call the file.
   void fail_if_skipped(std::string_view name) const;
@@ -46,7 +48,7 @@ class Warnings {
   static std::string count_text(Skip why, std::uint64_t count);
 
   std::array<Skipped, 2> kinds_;
-  std::vector<std::string> others_;
+  std::vector<Warning> others_;
 };
 
 }  // namespace kdm

@@ -71,7 +71,7 @@ void parse_bytes(const std::uint8_t* bytes, std::size_t size) {
   if (size == 0) return;
   const auto format = static_cast<MeshFormat>(bytes[0] % 4);
   Mesh mesh;
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
   try {
     const std::string_view file(reinterpret_cast<const char*>(bytes + 1), size - 1);
     mesh = parse_mesh(file, format, "input", &warnings);
@@ -82,8 +82,9 @@ void parse_bytes(const std::uint8_t* bytes, std::size_t size) {
   }
   demand_sound(mesh);
   for (const Vec3& p : mesh.positions) demand(p.allFinite(), "coordinates are finite");
-  for (const std::string& warning : warnings) {
-    demand(!warning.empty() && warning.find('\n') == std::string::npos, "a warning is a line");
+  for (const auto& [code, message] : warnings) {
+    demand(!code.empty() && !message.empty() && message.find('\n') == std::string::npos,
+           "a warning is a line");
   }
   for (int other = 0; other < 4; ++other) {
     const auto target = static_cast<MeshFormat>(other);

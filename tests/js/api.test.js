@@ -350,8 +350,14 @@ test('content counts more than the format asked for, and what is skipped is said
   const { indices, warnings } = kdm.parseMesh(`${corners}f 1 2 3\nf 1 2 4\nf 1 2\n`, 'stl');
   expect([...indices]).toEqual([0, 1, 2]);
   expect(warnings).toEqual([
-    '1 face has a coordinate that is not a number; skipped; it is at line 4',
-    '1 face has fewer than three corners; skipped; it is at line 7',
+    {
+      code: 'FACES_SKIPPED',
+      message: '1 face has a coordinate that is not a number; skipped; it is at line 4',
+    },
+    {
+      code: 'FACES_SKIPPED',
+      message: '1 face has fewer than three corners; skipped; it is at line 7',
+    },
   ]);
   expect(kdm.parseMesh(`${corners}f 1 2 3\n`, 'obj').warnings).toEqual([]);
   const zipped = new Uint8Array([0x1f, 0x8b, 8, 0]);

@@ -84,7 +84,7 @@ const shown: ThreeMesh = toMesh(converted.mesh, from, { attributes: [] });
 const materials: Material[] = from.source.materials;
 const part: SourcePart | undefined = from.source.parts[0];
 const skipped: Skipped[] = from.skipped;
-const warnings: string[] = kdm.parseMesh('', 'obj').warnings;
+const warnings: string[] = kdm.parseMesh('', 'obj').warnings.map(({ message }) => message);
 warnings.join();
 const shell: ParsedMesh = kdm.thicken(soup, 0.1);
 const defects: MeshDefects = kdm.analyze(soup, { selfIntersections: true });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The worker that reads a file and looks for what is wrong with it, so that the page stays awake.
-import { formatFromPath, load, type MeshInput } from 'kdmanifold';
+import { formatFromPath, load, type MeshInput, type Warning } from 'kdmanifold';
 import { describeError } from './describe-error';
 import {
   crossingsOf,
@@ -16,7 +16,7 @@ export type Source = { name: string; file: File } | { name: string; mesh: MeshIn
 
 /** From the worker, in this order, the mesh only of a file; after `failed` nothing more comes. */
 export type Reply =
-  | { type: 'mesh'; mesh: MeshInput }
+  | { type: 'mesh'; mesh: MeshInput; warnings: Warning[] }
   | { type: 'defects'; findings: Finding<DefectKind>[]; summary: Summary }
   | { type: 'crossings'; findings: Finding<DefectKind>[]; pairs: number }
   | { type: 'failed'; message: string };
@@ -35,8 +35,9 @@ async function inspect(source: Source): Promise<void> {
   } else {
     const { name, file } = source;
     const format = formatFromPath(name);
-    mesh = library.parseMesh(await file.arrayBuffer(), format, name);
-    scope.postMessage({ type: 'mesh', mesh });
+    const { warnings, ...read } = library.parseMesh(await file.arrayBuffer(), format, name);
+    mesh = read;
+    scope.postMessage({ type: 'mesh', mesh, warnings });
   }
 
   const defects = library.analyze(mesh);

@@ -1,6 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Wires the page together: where models come from, when to inspect and convert, where results go.
-import { load, makeManifold, type Mesh, type MeshFormat, type MeshInput } from 'kdmanifold';
+import {
+  load,
+  makeManifold,
+  type Mesh,
+  type MeshFormat,
+  type MeshInput,
+  type Warning,
+} from 'kdmanifold';
 import {
   changeUnit,
   chooseMake,
@@ -27,7 +34,7 @@ import { storyOf } from './story';
 // Changes of a slider come in bursts.
 const settleMilliseconds = 250;
 
-let input: { name: string; mesh: MeshInput } | null = null;
+let input: { name: string; mesh: MeshInput; warnings: Warning[] } | null = null;
 let findings: Finding<DefectKind>[] = [];
 let invented: Finding[] = [];
 let summary: Summary | null = null;
@@ -59,7 +66,7 @@ async function convert(): Promise<void> {
     if (running !== mine) return;
     result = conversion.mesh;
     present(result, inventedOf(result));
-    showResult(conversion, options.thicken);
+    showResult(conversion, { thickness: options.thicken, warnings: input.warnings });
     learnOfGaps(conversion.report);
     explainControls();
   } catch (error) {
@@ -102,8 +109,8 @@ function begin(source: Source): void {
   inspector.inspect(source, (reply) => hear(source.name, reply));
 }
 
-function take(name: string, mesh: MeshInput): void {
-  input = { name, mesh };
+function take(name: string, mesh: MeshInput, warnings: Warning[] = []): void {
+  input = { name, mesh, warnings };
   showInput(name, (mesh.indices ?? mesh.positions).length / (mesh.indices ? 3 : 9));
   measure(mesh);
   explainControls();
@@ -126,7 +133,7 @@ function stop(): void {
 
 // What the inspection finds comes bit by bit.
 function hear(name: string, reply: Reply): void {
-  if (reply.type === 'mesh') return take(name, reply.mesh);
+  if (reply.type === 'mesh') return take(name, reply.mesh, reply.warnings);
   document.body.dataset.inspection = reply.type === 'defects' ? 'busy' : 'done';
   if (reply.type === 'failed') {
     // Without a mesh there is no conversion to say it.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What is to be read on the page: verdict, story, errors, progress.
-import type { Conversion } from 'kdmanifold';
+import type { Conversion, Warning } from 'kdmanifold';
 import { repairs } from './controls';
 import { element } from './element';
 import { clearFacts, showFacts } from './facts';
@@ -38,15 +38,20 @@ export function showProgress(fraction: number, phase: string): void {
   element('phase').textContent = phase;
 }
 
-/** The verdict in words, and the numbers; `thickness` of a shell. */
-export function showResult({ report }: Conversion, thickness = 0): void {
+/** The verdict in words, and the numbers; `thickness` of a shell, `warnings` of the file. */
+export function showResult(
+  { report }: Conversion,
+  { thickness = 0, warnings }: { thickness?: number | undefined; warnings: Warning[] },
+): void {
   const { output } = report;
   document.body.dataset.verdict = output.manifold ? 'good' : 'bad';
   element('verdict').textContent = verdictOf(output);
   const faces = [`${number.format(output.triangles)} triangles`];
   if (output.quads > 0) faces.push(`${number.format(output.quads)} quads`);
   element('output-name').textContent = faces.join(', ');
-  element('warnings').replaceChildren(...report.warnings.map(({ message }) => warningOf(message)));
+  element('warnings').replaceChildren(
+    ...[...warnings, ...report.warnings].map(({ message }) => warningOf(message)),
+  );
   element('remedy').textContent = remedyOf(report, thickness);
   element('advice').hidden = !isMostlyNew(report);
   showFacts(report);

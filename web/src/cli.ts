@@ -5,7 +5,7 @@
 import { realpathSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { convertFile } from './cli/convert.js';
-import { inputName, standardStream } from './cli/formats.js';
+import { standardStream } from './cli/formats.js';
 import { converts, readCommand, writes, type Command } from './cli/options.js';
 import { plan, type Task } from './cli/plan.js';
 import { ProgressLine } from './cli/progress.js';
@@ -84,9 +84,6 @@ class Run {
 
   #tell(report: CliReport, task: Task): void {
     const options = this.#command.report;
-    if (!options.quiet) {
-      for (const note of report.notes) say(`${inputName(task.input)}: ${note}`);
-    }
     if (!options.json) {
       this.#print(`${this.#printed++ > 0 ? '\n' : ''}${reportAsText(report, this.#command, task)}`);
     } else if (this.#several) {

@@ -63,8 +63,8 @@ export interface ParsedMesh {
 
 /** A mesh from a file, and what its reader says about it. */
 export interface FileMesh extends ParsedMesh {
-  /** What was skipped or assumed, in words; empty if nothing was. */
-  warnings: string[];
+  /** What was skipped or assumed; empty if nothing was. */
+  warnings: Warning[];
 }
 
 /** The file formats that are read and written. */
@@ -84,8 +84,11 @@ export interface ProgressOptions {
 
 /** Something that came out otherwise than one may take for granted. */
 export interface Warning {
-  /** For programs. */
+  /** For programs: the first three are of files, the rest of results. */
   code:
+    | 'FACES_SKIPPED'
+    | 'FACETS_MISCOUNTED'
+    | 'NOT_READ'
     | 'PARTS_LOST'
     | 'PARTS_DROPPED'
     | 'TOLERANCE_WIDENED'

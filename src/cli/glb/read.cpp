@@ -249,14 +249,17 @@ class Collector {
 
   Scene finish() {
     Scene scene{std::move(mesh_), {}};
+    const auto warn = [&scene](std::string message) {
+      scene.warnings.push_back({"NOT_READ", std::move(message)});
+    };
     if (left_out_ > 0) {
-      scene.notes.push_back(
+      warn(
           fmt::format("{} primitives without triangles (points or lines) are left out", left_out_));
     }
-    if (skins_) scene.notes.push_back("skins are left out: meshes are as they were modelled");
+    if (skins_) warn("skins are left out: meshes are as they were modelled");
     for (const Json& used : list(file_, file_.json, "extensionsUsed", "the JSON")) {
       if (used == "EXT_mesh_gpu_instancing") {
-        scene.notes.push_back("EXT_mesh_gpu_instancing is left out: meshes are there once a node");
+        warn("EXT_mesh_gpu_instancing is left out: meshes are there once a node");
       }
     }
     return scene;

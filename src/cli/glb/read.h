@@ -7,13 +7,14 @@
 #include <vector>
 
 #include "kdmanifold/mesh.h"
+#include "kdmanifold/warnings.h"
 
 namespace kdm::cli::glb {
 
 /// What is read of a file.
 struct Scene {
-  Mesh mesh;                       ///< all meshes of the scene, where its nodes put them
-  std::vector<std::string> notes;  ///< what was left out, in words
+  Mesh mesh;                      ///< all meshes of the scene, where its nodes put them
+  std::vector<Warning> warnings;  ///< what was left out
 };
 
 /// Reads the default scene of a GLB file: triangles, strips and fans; what is mirrored is turned

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "kdmanifold/mesh.h"
+#include "kdmanifold/warnings.h"
 
 namespace kdm {
 
@@ -22,20 +23,20 @@ enum class MeshFormat {
 MeshFormat format_from_path(std::string_view path);
 
 /// Reads a mesh from a file. Polygons are cut into triangles over their own corners, concave ones
-/// properly; Only geometry is read (no materials, no colours, groups are ignored). STL facets come
+/// properly; only geometry is read (no materials, no colours, groups are ignored). STL facets come
 /// as three vertices each. A file without faces gives a mesh without faces. What the content is for
 /// certain counts, not the name's extension; text may be UTF-8 or UTF-16. Faces with fewer than
 /// three corners, or with a coordinate that is not finite, are skipped; `warnings`, unless it is
-/// null, becomes the list of what was skipped or assumed, in words. Linear in the bytes; files of
+/// null, becomes the list of what was skipped or assumed. Linear in the bytes; files of
 /// 4 GiB and more are refused. Throws `kIoError` if the file cannot be read, `kParseError`, with
 /// the line or byte, if its content is malformed (an index out of range, an end too early, all
 /// faces skipped) or something else (an archive, a web page), and `kOutOfMemory`.
-Mesh read_mesh(const std::string& path, std::vector<std::string>* warnings = nullptr);
+Mesh read_mesh(const std::string& path, std::vector<Warning>* warnings = nullptr);
 
 /// Reads a mesh from the content of a file, as `read_mesh` does; `name` is what messages call it.
 /// `format` is a hint: it counts where the content fits no format for certain.
 Mesh parse_mesh(std::string_view bytes, MeshFormat format, std::string_view name = "input",
-                std::vector<std::string>* warnings = nullptr);
+                std::vector<Warning>* warnings = nullptr);
 
 /// How the 32-bit coordinates are written in text (OBJ, OFF).
 enum class Digits {

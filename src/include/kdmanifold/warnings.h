@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What one should know before one trusts a result.
+// What one should know before one trusts a mesh that was read, or a result.
 #pragma once
 
 #include <string>
@@ -9,11 +9,14 @@ namespace kdm {
 
 /// Something that came out otherwise than one may take for granted.
 struct Warning {
-  /// For programs: `TOLERANCE_WIDENED`, `TOPOLOGY_UNRESOLVED`, `PARTS_LOST`, `PARTS_DROPPED`,
+  /// For programs. Of files: `FACES_SKIPPED`, `FACETS_MISCOUNTED` or, of GLB files, `NOT_READ`. Of
+  /// results: `TOLERANCE_WIDENED`, `TOPOLOGY_UNRESOLVED`, `PARTS_LOST`, `PARTS_DROPPED`,
   /// `PARTS_TURNED`, `NESTING_UNKNOWN`, `SEWN_FAR`, `HOLES_CLOSED`, `WINDING_THRESHOLD`,
   /// `STRAY_PARTS` or `TRIANGLES_CROSS`.
   std::string code;
   std::string message;  ///< for people, with numbers
+
+  bool operator==(const Warning&) const = default;
 };
 
 }  // namespace kdm

@@ -77,7 +77,7 @@ TEST(Glb, ReadsIndexedTriangles) {
   const glb::Scene scene = read(Square());
   EXPECT_EQ(scene.mesh.triangles, kSquare);
   EXPECT_EQ(scene.mesh.positions[2], Vec3(1, 1, 0));
-  EXPECT_TRUE(scene.notes.empty());
+  EXPECT_TRUE(scene.warnings.empty());
 }
 
 TEST(Glb, NodesMoveTurnAndMirror) {
@@ -178,9 +178,10 @@ TEST(Glb, WhatIsLeftOutIsSaid) {
   square.node()["skin"] = 0;
   const glb::Scene scene = read(square);
   EXPECT_EQ(scene.mesh.triangles, kSquare);
-  EXPECT_EQ(scene.notes, (std::vector<std::string>{
-                             "1 primitives without triangles (points or lines) are left out",
-                             "skins are left out: meshes are as they were modelled"}));
+  EXPECT_EQ(scene.warnings,
+            (std::vector<Warning>{
+                {"NOT_READ", "1 primitives without triangles (points or lines) are left out"},
+                {"NOT_READ", "skins are left out: meshes are as they were modelled"}}));
 }
 
 TEST(Glb, RefusesWithAReason) {

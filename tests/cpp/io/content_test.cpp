@@ -21,8 +21,8 @@ std::string utf16(std::string_view ascii, bool big) {
   return text;
 }
 
-std::vector<std::string> warnings_of(std::string_view bytes, MeshFormat format) {
-  std::vector<std::string> warnings;
+std::vector<Warning> warnings_of(std::string_view bytes, MeshFormat format) {
+  std::vector<Warning> warnings;
   parse_mesh(bytes, format, "in", &warnings);
   return warnings;
 }
@@ -100,14 +100,15 @@ TEST(Content, MarksAndPaddingAroundText) {
 
 TEST(Skipped, FacesWithACoordinateThatIsNotANumber) {
   const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 nan 0\nv 1.#QNAN 1e999 -inf\n";
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
   const Mesh mesh = parse_mesh(vertices + "f 1 2 5\nf 1 2 3\nf 1 2 3 4\nf 2 3 5\n",
                                MeshFormat::kObj, "in", &warnings);
   EXPECT_EQ(mesh.triangles, (std::vector<Triangle>{{0, 1, 2}}));
   EXPECT_EQ(mesh.source_faces, (std::vector<Index>{1}));
   EXPECT_EQ(mesh.positions[4], mesh.positions[0]);
-  EXPECT_EQ(warnings, (std::vector<std::string>{"3 faces have a coordinate that is not a number; "
-                                                "skipped; the first is at line 4"}));
+  EXPECT_EQ(warnings, (std::vector<Warning>{{"FACES_SKIPPED",
+                                             "3 faces have a coordinate that is not a number; "
+                                             "skipped; the first is at line 4"}}));
   // Nobody minds a vertex that no face uses.
   EXPECT_TRUE(warnings_of(vertices + "f 1 2 3\n", MeshFormat::kObj).empty());
   EXPECT_EQ(parse_fault(vertices + "f 1 2 4\n", MeshFormat::kObj),
@@ -116,12 +117,14 @@ TEST(Skipped, FacesWithACoordinateThatIsNotANumber) {
 
 TEST(Skipped, FacesWithFewCorners) {
   const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-  EXPECT_EQ(warnings_of(vertices + "f 1 2\nf 1 2 3\n", MeshFormat::kObj),
-            (std::vector<std::string>{"1 face has fewer than three corners; skipped; it is at line "
-                                      "4"}));
+  EXPECT_EQ(
+      warnings_of(vertices + "f 1 2\nf 1 2 3\n", MeshFormat::kObj),
+      (std::vector<Warning>{
+          {"FACES_SKIPPED", "1 face has fewer than three corners; skipped; it is at line 4"}}));
   EXPECT_EQ(warnings_of("OFF\n3 3 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n2 0 1\n1 0\n", MeshFormat::kOff),
-            (std::vector<std::string>{"2 faces have fewer than three corners; skipped; the first "
-                                      "is at line 7"}));
+            (std::vector<Warning>{
+                {"FACES_SKIPPED",
+                 "2 faces have fewer than three corners; skipped; the first is at line 7"}}));
 }
 
 TEST(DecimalCommas, AreNamed) {

@@ -199,11 +199,12 @@ TEST(PlyRead, BodyFaultsNameTheLineOrByte) {
   bytes = format_mesh(io_test::pyramid(), MeshFormat::kPly);
   std::memcpy(bytes.data() + data + 8, "\0\0\x80\x7f", 4);
   at = std::to_string(data + 8);
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
   EXPECT_EQ(parse_mesh(bytes, MeshFormat::kPly, "in", &warnings).triangles.size(), 2u);
-  EXPECT_EQ(warnings, (std::vector<std::string>{"3 faces have a coordinate that is not a number; "
-                                                "skipped; the first is at byte " +
-                                                at}));
+  EXPECT_EQ(warnings, (std::vector<Warning>{{"FACES_SKIPPED",
+                                             "3 faces have a coordinate that is not a number; "
+                                             "skipped; the first is at byte " +
+                                                 at}}));
 }
 
 TEST(PlyRead, CountsThatNothingBacksAreNotAllocated) {

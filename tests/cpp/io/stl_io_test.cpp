@@ -58,10 +58,12 @@ TEST(StlRead, BinaryWithAWrongCount) {
   for (const char* count : {"\0\0\0\0", "\xff\xff\xff\xff", "\1\0\0\0", "\x20\0\0\0"}) {
     std::string bytes = binary();
     std::memcpy(bytes.data() + 80, count, 4);
-    std::vector<std::string> warnings;
+    std::vector<Warning> warnings;
     EXPECT_EQ(parse_mesh(bytes, MeshFormat::kStl, "in", &warnings).triangles.size(), 6u);
     ASSERT_EQ(warnings.size(), 1u);
-    EXPECT_NE(warnings[0].find("the file is as long as 6; these are read"), std::string::npos);
+    EXPECT_EQ(warnings[0].code, "FACETS_MISCOUNTED");
+    EXPECT_NE(warnings[0].message.find("the file is as long as 6; these are read"),
+              std::string::npos);
   }
   std::string bytes = binary() + "tail";
   std::memcpy(bytes.data() + 80, "\0\0\0\0", 4);
@@ -95,12 +97,13 @@ TEST(StlRead, FaultsNameTheLineOrByte) {
   std::string bytes = binary();
   const float nan = std::numeric_limits<float>::quiet_NaN();
   std::memcpy(bytes.data() + 84 + 50 + 12 + 16, &nan, 4);
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
   const Mesh rest = parse_mesh(bytes, MeshFormat::kStl, "in", &warnings);
   EXPECT_EQ(rest.source_faces, (std::vector<Index>{0, 2, 3, 4, 5}));
   EXPECT_EQ(rest.positions.size(), 15u);
-  EXPECT_EQ(warnings, (std::vector<std::string>{"1 face has a coordinate that is not a number; "
-                                                "skipped; it is at byte 134"}));
+  EXPECT_EQ(warnings, (std::vector<Warning>{{"FACES_SKIPPED",
+                                             "1 face has a coordinate that is not a number; "
+                                             "skipped; it is at byte 134"}}));
   // A count that nothing backs must not be allocated.
   bytes = binary() + "tail";
   std::memcpy(bytes.data() + 80, "\xff\xff\xff\x7f", 4);

@@ -336,7 +336,7 @@ TEST_F(Cli, StatsDescribeTheInput) {
   mesh.triangles.push_back(mesh.triangles[0]);
   write("open.obj", mesh);
   const Json json = report("open.obj --stats");
-  EXPECT_EQ(keys(json), (Names{"input", "defects", "seconds", "peakBytes"}));
+  EXPECT_EQ(keys(json), (Names{"input", "defects", "warnings", "seconds", "peakBytes"}));
   EXPECT_EQ(keys(json["input"]), (Names{"vertices", "triangles", "closed", "boundaryEdges",
                                         "nonManifoldEdges", "degenerateFaces", "components"}));
   EXPECT_EQ(keys(json["seconds"]), (Names{"read", "analyze"}));

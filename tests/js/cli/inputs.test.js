@@ -179,18 +179,23 @@ test('options in camel case are those with dashes', () =>
     }
   }));
 
-test('warnings about an input come on standard error and as JSON, in the same words', () =>
+test('warnings about a file come before those about the result, in the same words', () =>
   withFolder((folder) => {
-    const file = join(folder, 'a.stl');
-    writeMesh(kdm, join(folder, 'a.obj'), cube());
-    writeFileSync(file, `${readFileSync(join(folder, 'a.obj'), 'utf8')}f 1 2\n`);
-    const runs = both(['a.stl', '-o', 'b.obj', '--force', '--json'], { cwd: folder });
-    for (const { status, stdout, stderr } of runs) {
-      const warning = '1 face has fewer than three corners; skipped; it is at line 21';
-      expect(status).toBe(0);
-      expect(stderr).toBe(`kdmanifold: a.stl: ${warning}\n`);
-      expect(JSON.parse(stdout).warnings).toEqual([warning]);
+    const message = '1 face has fewer than three corners; skipped; it is at line 20';
+    const open = cube();
+    open.indices = open.indices.slice(3);
+    writeMesh(kdm, join(folder, 'a.obj'), open);
+    writeFileSync(join(folder, 'a.stl'), `${readFileSync(join(folder, 'a.obj'), 'utf8')}f 1 2\n`);
+    for (const [, run] of programs) {
+      const said = (...args) => run(['a.stl', ...args], { cwd: folder });
+      const { status, stdout, stderr } = said('--json');
+      expect({ status, stderr }).toEqual({ status: 0, stderr: '' });
+      const { warnings } = JSON.parse(stdout);
+      expect(warnings[0]).toEqual({ code: 'FACES_SKIPPED', message });
+      expect(warnings.map(({ code }) => code)).toEqual(['FACES_SKIPPED', 'HOLES_CLOSED']);
+      const text = warnings.map((warning) => `warning  ${warning.message}\n`).join('');
+      expect(said().stdout.startsWith(`${text}input    a.stl: `)).toBe(true);
+      expect(JSON.parse(said('--stats', '--json').stdout).warnings).toEqual(warnings.slice(0, 1));
+      expect(said('--quiet')).toEqual({ status: 0, stdout: '', stderr: '' });
     }
-    const [clean] = both(['a.obj', '-o', 'b.obj', '--force', '--json'], { cwd: folder });
-    expect(JSON.parse(clean.stdout)).not.toHaveProperty('warnings');
   }));

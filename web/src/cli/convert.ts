@@ -42,7 +42,7 @@ async function readMesh(library: KdManifold, path: string, format: FileFormat): 
   const name = inputName(path);
   if (format === 'glb') return readGlb(bytes, name);
   const { warnings, ...mesh } = library.parseMesh(bytes, format, name);
-  return { mesh, notes: warnings };
+  return { mesh, warnings };
 }
 
 async function writeResults(
@@ -80,7 +80,7 @@ async function work(
 ): Promise<CliReport> {
   const { files } = command;
   const formats = checkFiles(files, task);
-  const report: CliReport = { seconds: { read: 0 }, peakBytes: 0, notes: [] };
+  const report: CliReport = { seconds: { read: 0 }, peakBytes: 0, warnings: [] };
   const { seconds } = report;
   const lap = stopwatch();
   let grid: Grid;
@@ -90,8 +90,8 @@ async function work(
     seconds.read = lap();
     seconds.build = 0;
   } else {
-    const { mesh, notes } = await readMesh(library, task.input, formats.input);
-    report.notes = notes;
+    const { mesh, warnings } = await readMesh(library, task.input, formats.input);
+    report.warnings = warnings;
     seconds.read = lap();
     if (command.report.stats) {
       progress.show('analyzing');
@@ -104,7 +104,12 @@ async function work(
   }
   try {
     const onProgress = progress.of('extracting');
-    const { report: extracted, ...mesh } = grid.extract({ ...command.extract, onProgress });
+    const extraction = grid.extract({ ...command.extract, onProgress });
+    const {
+      report: { warnings, ...extracted },
+      ...mesh
+    } = extraction;
+    report.warnings.push(...warnings);
     seconds.extract = lap();
     progress.show('writing');
     await writeResults(library, command, task, formats.output, mesh, grid);

@@ -3,12 +3,12 @@
 // the same order, so that the same numbers come out.
 import { readNumbers, readPoints } from './glb-arrays.js';
 import { isObject, openGlb, type GlbFile, type Json } from './glb-file.js';
-import type { MeshInput } from '../types.js';
+import type { MeshInput, Warning } from '../types.js';
 
-/** What is read of a file: all meshes of the scene, where its nodes put them, and what was left out, in words. */
+/** What is read of a file: all meshes of the scene, where its nodes put them, and what was left out. */
 export interface GlbScene {
   mesh: MeshInput;
-  notes: string[];
+  warnings: Warning[];
 }
 
 type Matrix = number[]; // column by column
@@ -273,19 +273,20 @@ class Collector {
 
   #finish(): GlbScene {
     const file = this.#file;
-    const notes = [];
+    const warnings: Warning[] = [];
+    const warn = (message: string): void => void warnings.push({ code: 'NOT_READ', message });
     if (this.#leftOut > 0) {
-      notes.push(`${this.#leftOut} primitives without triangles (points or lines) are left out`);
+      warn(`${this.#leftOut} primitives without triangles (points or lines) are left out`);
     }
-    if (this.#skins) notes.push('skins are left out: meshes are as they were modelled');
+    if (this.#skins) warn('skins are left out: meshes are as they were modelled');
     for (const used of file.list(file.json, 'extensionsUsed', 'the JSON')) {
       if (used === 'EXT_mesh_gpu_instancing') {
-        notes.push('EXT_mesh_gpu_instancing is left out: meshes are there once a node');
+        warn('EXT_mesh_gpu_instancing is left out: meshes are there once a node');
       }
     }
     return {
       mesh: { positions: this.#positions.finish(), indices: this.#indices.finish() },
-      notes,
+      warnings,
     };
   }
 }

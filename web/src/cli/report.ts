@@ -22,17 +22,17 @@ export interface CliReport {
   result?: {
     input: InputReport;
     grid: GridStats;
-    output: MeshReport & ExtractReport & { selfIntersections?: number; warnings: Warning[] };
+    output: MeshReport & ExtractReport & { selfIntersections?: number };
   };
   seconds: { read: number; analyze?: number; build?: number; extract?: number; write?: number };
   peakBytes: number;
-  /** Warnings: what was left out of the input, in words. */
-  notes: string[];
+  /** Of the file, then of the result. */
+  warnings: Warning[];
 }
 
 /**
- * Returns `input`, with --stats `defects`, then `grid`, `output` (with --check also its `selfIntersections`), with
- * --check `check`, `warnings` if there are any, then `seconds` and `peakBytes`. With --stats alone there is neither `grid` nor `output`.
+ * Returns `input`, with --stats `defects`, then `grid`, `output` (with --check also its `selfIntersections`),
+ * `warnings`, with --check `check`, then `seconds` and `peakBytes`. With --stats alone there is neither `grid` nor `output`.
  */
 export function reportAsJson(report: CliReport, command: Command): object {
   const { defects, result, seconds } = report;
@@ -44,9 +44,8 @@ export function reportAsJson(report: CliReport, command: Command): object {
       ...pick(result.output, outputKeys),
       selfIntersections: result.output.selfIntersections,
     },
-    warnings: result?.output.warnings,
+    warnings: report.warnings,
     check: command.report.check && result ? pick(result.output, checkKeys) : undefined,
-    warnings: report.notes.length > 0 ? report.notes : undefined,
     seconds: {
       read: seconds.read,
       analyze: seconds.analyze,
@@ -102,7 +101,7 @@ function countsOf(defects: MeshDefects): Counts {
 /** Writes a few lines for people. */
 export function reportAsText(report: CliReport, command: Command, task: Task): string {
   const { defects, result } = report;
-  const lines = (result?.output.warnings ?? []).map(({ message }) => `warning  ${message}`);
+  const lines = report.warnings.map(({ message }) => `warning  ${message}`);
   if (result) lines.push(...inputLines(result.input, task));
   else if (defects) lines.push(inputLine(defects.report, task));
   if (defects) lines.push(...defectLines(defects));
