@@ -142,7 +142,6 @@ const wrongs = {
   'nan.glb': (file) => file.binary.fill(0xff),
   'far.glb': (file) => (file.json.nodes[0].scale = [1e200, 1, 1]),
   'none.glb': (file) => (file.json = { asset: { version: '2.0' } }),
-  'points.glb': (file) => (file.json.meshes[0].primitives[0].mode = 0),
 };
 
 test.each(Object.entries(wrongs))('%s: both say the same', (name, change) =>
@@ -158,9 +157,25 @@ test.each(Object.entries(wrongs))('%s: both say the same', (name, change) =>
       status: native.status,
       stderr: native.stderr,
     });
-    expect(native.status).toBe(name === 'points.glb' ? 0 : 2);
+    expect(native.status).toBe(2);
   }),
 );
+
+test('what is left out of a file is a warning', () =>
+  withFolder(async (folder) => {
+    const file = parts(await scene());
+    file.json.meshes[0].primitives[0].mode = 0;
+    writeFileSync(join(folder, 'a.glb'), joined(file));
+    for (const { status, stdout } of both(['a.glb', '--stats', '--json'], { cwd: folder })) {
+      expect(status).toBe(0);
+      expect(JSON.parse(stdout).warnings).toEqual([
+        {
+          code: 'NOT_READ',
+          message: '1 primitives without triangles (points or lines) are left out',
+        },
+      ]);
+    }
+  }));
 
 test('damaged files: both read the same or refuse with the same words', () =>
   withFolder(async (folder) => {

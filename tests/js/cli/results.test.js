@@ -150,7 +150,7 @@ test('--stats describes what cannot be built from, in both alike', () =>
       },
     );
     expect(JSON.stringify(keysOf(node))).toBe(JSON.stringify(keysOf(native)));
-    expect(Object.keys(node)).toEqual(['input', 'defects', 'seconds', 'peakBytes']);
+    expect(Object.keys(node)).toEqual(['input', 'defects', 'warnings', 'seconds', 'peakBytes']);
     expect(node.input).toEqual(native.input);
     expect(node.defects).toEqual(native.defects);
     expect(node.defects).toMatchObject({
