@@ -1,7 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Makes dist/, the files that are published, of build/js/: few files, so that a page without a bundler
 // fetches little and soon. All code lies in dist/ itself, since it names the other files as its neighbours.
-import { chmodSync, copyFileSync, cpSync, mkdirSync, writeFileSync } from 'node:fs';
+import {
+  chmodSync,
+  copyFileSync,
+  cpSync,
+  mkdirSync,
+  readFileSync,
+  readdirSync,
+  writeFileSync,
+} from 'node:fs';
 import { root, tool } from './run.mjs';
 
 const from = `${root}/build/js`;
@@ -10,10 +18,29 @@ const to = `${root}/dist`;
 const bundle = (entries, ...settings) =>
   tool('esbuild', [
     ...entries.map((name) => `${from}/${name}.js`),
-    // Not minified: what comments in imports tell other bundlers would be lost.
     ...['--bundle', '--packages=external', '--target=es2022'],
     ...['--charset=utf8', '--log-level=warning', ...settings],
   ]);
+
+// Takes blanks and comments out, but for those with which imports tell other bundlers what to do. Names stay: they are
+// what errors show.
+function shrink(path) {
+  const imports = /\bimport\(\s*((?:\/\*[^*]*\*\/\s*)*)/g;
+  const before = readFileSync(path, 'utf8');
+  const hints = [...before.matchAll(imports)].map(([, hint]) => hint.replace(/\s+/g, ' '));
+  tool('esbuild', [
+    path,
+    '--minify-whitespace',
+    ...[`--outfile=${path}`, '--allow-overwrite', '--charset=utf8', '--log-level=warning'],
+  ]);
+  const parts = readFileSync(path, 'utf8').split(imports);
+  if (parts.length !== 2 * hints.length + 1) throw new Error(`${path}: an import came or went`);
+  // Every other part is what the parentheses hold: comments, of which there are none.
+  writeFileSync(
+    path,
+    parts.map((part, i) => (i % 2 ? `import(${hints[(i - 1) / 2]}` : part)).join(''),
+  );
+}
 
 /** Bundles modules, worker and CommonJS, and adds the WebAssembly files and the types of both. */
 export function bundlePackage() {
@@ -35,6 +62,9 @@ export function bundlePackage() {
   );
   // In one piece, so that it works wherever it is copied to.
   bundle(['worker/serve'], ...['--format=esm', `--outfile=${to}/kdmanifold-worker.js`]);
+  for (const name of readdirSync(to)) {
+    if (name.endsWith('.js')) shrink(`${to}/${name}`);
+  }
   // For `require`, which reaches Node alone (package.json). Its files are the neighbours of the modules.
   bundle(
     ['index', 'three'],
