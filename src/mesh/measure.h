@@ -2,9 +2,7 @@
 // Area and enclosed volume of triangles, summed up in one order of operations everywhere.
 #pragma once
 
-#include <cmath>
-
-#include "geometry/triangle.h"
+#include "kdmanifold/types.h"
 
 namespace kdm {
 
@@ -18,14 +16,7 @@ struct Measure {
   double absolute_volume = 0;  ///< sum of the absolute values of the terms of `volume`, whose
                                ///< rounding error is far smaller
 
-  void add(const Vec3& p, const Vec3& q, const Vec3& r) {
-    const Vec3 a = p - centre;
-    const Vec3 n = doubled_area_vector(a, q - centre, r - centre);
-    area += std::sqrt(n.x() * n.x() + n.y() * n.y() + n.z() * n.z()) / 2;
-    const double term = (a.x() * n.x() + a.y() * n.y() + a.z() * n.z()) / 6;
-    volume += term;
-    absolute_volume += std::abs(term);
-  }
+  void add(const Vec3& p, const Vec3& q, const Vec3& r);
 };
 
 }  // namespace kdm

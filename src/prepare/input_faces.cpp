@@ -88,8 +88,7 @@ void cancel_opposite_faces(InputFaces& faces) {
   const Marks cancelled =
       find_opposite_pairs(faces.triangles, static_cast<Index>(faces.points.size()), faces.topology);
   if (!cancelled.any()) return;
-  faces.report.cancelled_faces =
-      keep_faces(faces, [&](std::size_t i) { return !cancelled.test(i); });
+  faces.report.cancelled_faces = drop_faces(faces, cancelled);
   if (faces.triangles.empty()) {
     throw Error(
         faces.report.closed ? ErrorCode::kInvalidMesh : ErrorCode::kNotClosed,

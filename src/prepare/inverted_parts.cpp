@@ -8,8 +8,8 @@
 #include <optional>
 
 #include "mesh/boxes.h"
-#include "mesh/disjoint_sets.h"
 #include "mesh/groups.h"
+#include "mesh/joined.h"
 #include "mesh/measure.h"
 #include "mesh/nesting.h"
 #include "mesh/scale.h"
@@ -58,19 +58,10 @@ class PartTurner {
 
  private:
   void find_parts(std::span<const SideId> opposite) {
-    DisjointSets sets(triangles_.size());
-    for (SideId side = 0; side < opposite.size(); ++side) {
-      if (opposite[side] != kNone) sets.join(triangle_of(side), triangle_of(opposite[side]));
-    }
-    part_of_.resize(triangles_.size());
-    for (TriangleId t = 0; t < triangles_.size(); ++t) {
-      const Index first = sets.find(t);
-      if (first == t) {
-        part_of_[t] = static_cast<Index>(shells_.size());
-        shells_.emplace_back().closed = true;
-      }
-      part_of_[t] = part_of_[first];
-    }
+    DisjointSets sets = join_triangles(opposite);
+    part_of_ = number_sets(sets, triangles_.size());
+    shells_.resize(sets.count());
+    for (Shell& shell : shells_) shell.closed = true;
     for (SideId side = 0; side < opposite.size(); ++side) {
       if (opposite[side] == kNone) shells_[part_of_[triangle_of(side)]].closed = false;
     }

@@ -12,12 +12,14 @@ namespace {
 
 double fraction(double x) { return x - std::floor(x); }
 
-// Calls `test(origin, normal, deviation, triangle)` for points spread evenly over the counted
-// triangles, and returns the share for which it is true. `normal` plus or minus `deviation` are
-// directions that lead away from the triangle.
-template <typename Test>
-double share_of_points(std::span<const Triangle> triangles, const std::vector<Vec3>& points,
-                       std::span<const TriangleId> counted, Index samples, const Test& test) {
+bool is_direction(const Vec3& v) { return v.cwiseAbs().minCoeff() > 0; }
+
+// Which points of a surface are counted.
+enum class Points { kOutsideIn, kBounding };
+
+// Returns the share of points spread evenly over the counted triangles that are of that kind.
+double share_of(Points kind, std::span<const Triangle> triangles, const std::vector<Vec3>& points,
+                const Sight& sight, std::span<const TriangleId> counted, Index samples) {
   const auto area_vector = [&](const Triangle& t) {
     return doubled_area_vector(points[t[0]], points[t[1]], points[t[2]]);
   };
@@ -44,36 +46,30 @@ double share_of_points(std::span<const Triangle> triangles, const std::vector<Ve
     }
     const Vec3& corner = points[t[0]];
     const Vec3 origin = corner + u * (points[t[1]] - corner) + v * (points[t[2]] - corner);
-    if (test(origin, normalized_or_zero(area_vector(t)), directions[i], number)) ++found;
+    const Vec3 normal = normalized_or_zero(area_vector(t));
+    const Vec3 forwards = normal + directions[i];
+    const Vec3 backwards = directions[i] - normal;
+    if (!is_direction(forwards)) continue;
+    if (kind == Points::kOutsideIn) {
+      if (sight.winding(origin, forwards, number) < 0) ++found;
+    } else if (is_direction(backwards) && sight.winding(origin, forwards, number) <= 0 &&
+               sight.winding(origin, backwards, number) > 0) {
+      ++found;
+    }
   }
   return found / static_cast<double>(samples);
 }
-
-bool is_direction(const Vec3& v) { return v.cwiseAbs().minCoeff() > 0; }
 
 }  // namespace
 
 double share_outside_in(std::span<const Triangle> triangles, const std::vector<Vec3>& points,
                         const Sight& sight, std::span<const TriangleId> counted, Index samples) {
-  return share_of_points(
-      triangles, points, counted, samples,
-      [&](const Vec3& origin, const Vec3& normal, const Vec3& deviation, TriangleId from) {
-        const Vec3 forwards = normal + deviation;
-        return is_direction(forwards) && sight.winding(origin, forwards, from) < 0;
-      });
+  return share_of(Points::kOutsideIn, triangles, points, sight, counted, samples);
 }
 
 double share_that_bounds(std::span<const Triangle> triangles, const std::vector<Vec3>& points,
                          const Sight& sight, std::span<const TriangleId> counted, Index samples) {
-  return share_of_points(
-      triangles, points, counted, samples,
-      [&](const Vec3& origin, const Vec3& normal, const Vec3& deviation, TriangleId from) {
-        const Vec3 forwards = normal + deviation;
-        const Vec3 backwards = deviation - normal;
-        return is_direction(forwards) && is_direction(backwards) &&
-               sight.winding(origin, forwards, from) <= 0 &&
-               sight.winding(origin, backwards, from) > 0;
-      });
+  return share_of(Points::kBounding, triangles, points, sight, counted, samples);
 }
 
 }  // namespace kdm

@@ -57,12 +57,14 @@ Marks turn_outwards(InputFaces& faces) {
   const Orientation orientation = orient(faces.triangles, faces.points);
   turn_faces(faces, orientation.must_turn);
   Marks seen_from_both_sides;
-  keep_faces(faces, [&](std::size_t i) {
-    if (orientation.copy_of[i] != kNone) return false;
+  Marks copies;
+  for (std::size_t i = 0; i < faces.triangles.size(); ++i) {
+    copies.push_back(orientation.copy_of[i] != kNone);
+    if (copies.test(i)) continue;
     const OrientedPart& part = orientation.parts[orientation.part[i]];
     seen_from_both_sides.push_back(part.sheet && !part.closed);
-    return true;
-  });
+  }
+  drop_faces(faces, copies);
   faces.report.turned_faces = orientation.flipped_triangles;
   faces.report.duplicate_faces = orientation.copies;
   return seen_from_both_sides;
@@ -114,7 +116,7 @@ void close_holes(InputFaces& faces, const Marks& seen_from_both_sides, double to
   const bool negligible =
       sheets.area_of_solids > 0 && sheets.area <= kMostLost * (sheets.area + sheets.area_of_solids);
   if (sheets.parts > 0 && negligible) {
-    keep_faces(faces, [&](std::size_t i) { return !sheets.triangles.test(i); });
+    drop_faces(faces, sheets.triangles);
     faces.bounds = bounds_of(faces);
     faces.report.lost_parts = sheets.parts;
     faces.report.lost_area = sheets.area;

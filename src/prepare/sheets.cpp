@@ -8,8 +8,8 @@
 #include <numeric>
 
 #include "mesh/boxes.h"
-#include "mesh/disjoint_sets.h"
 #include "mesh/groups.h"
+#include "mesh/joined.h"
 #include "mesh/measure.h"
 #include "mesh/scale.h"
 #include "mesh/sides.h"
@@ -94,24 +94,13 @@ Marks find_turned(const std::vector<OpenPart>& parts, const Marks& is_a_sheet,
 Sheets find_sheets(std::span<const Triangle> triangles, const std::vector<Vec3>& points,
                    std::span<const SideId> opposite, const std::vector<Hole>& holes,
                    const std::vector<Patch>& patches, const Marks& seen_from_both_sides) {
-  DisjointSets sets(triangles.size());
-  for (SideId side = 0; side < opposite.size(); ++side) {
-    if (opposite[side] != kNone) sets.join(triangle_of(side), triangle_of(opposite[side]));
-  }
+  DisjointSets sets = join_triangles(opposite);
   const auto triangle_at = [&](Index hole) { return triangle_of(holes[hole].sides[0]); };
   for (const Patch& patch : patches) {
     for (const Index hole : patch.holes) sets.join(triangle_at(patch.holes[0]), triangle_at(hole));
   }
-  std::vector<OpenPart> parts;
-  std::vector<Index> part_of(triangles.size(), kNone);
-  for (TriangleId t = 0; t < triangles.size(); ++t) {
-    const Index first = sets.find(t);
-    if (first == t) {
-      part_of[t] = static_cast<Index>(parts.size());
-      parts.emplace_back();
-    }
-    part_of[t] = part_of[first];
-  }
+  std::vector<OpenPart> parts(sets.count());
+  const std::vector<Index> part_of = number_sets(sets, triangles.size());
   const ScaledPositions scaled = scale_to_one(points, triangles);
   std::vector<Index> part_of_patch;
   for (const Patch& patch : patches) part_of_patch.push_back(part_of[triangle_at(patch.holes[0])]);

@@ -62,7 +62,7 @@ class LinkReader {
   // Reads what is kept for some half-edges, in ascending order of these: the half-edge of each one,
   // then as many real numbers as told, by `read`.
   template <typename Kept, typename Read>
-  void read_kept(std::string_view name, std::uint64_t reals, std::vector<Kept>& kept,
+  void read_kept(std::string_view name, std::size_t reals, std::vector<Kept>& kept,
                  const Read& read) const {
     const std::string what = compose("a {}'s half-edge", name);
     const std::uint64_t half_edges = grid_.opposite.size();
@@ -116,7 +116,7 @@ class LinkReader {
 
   void link_sheet(const MinimalFace& face) {
     ends_.clear();
-    starts_below_.clear();
+    starts_below_.resize(0);
     for_each_hit(face, [&](const FaceEdge& edge, HitId hit, int) {
       ends_.push_back(end_of(edge, hit));
       starts_below_.push_back(ends_.back().starts_below);
@@ -150,7 +150,7 @@ class LinkReader {
   GridData& grid_;
   std::vector<End> open_;  // of a solid's face: links that have begun
   std::vector<End> ends_;  // of a sheet's face: all half-edges, in order
-  std::vector<bool> starts_below_;
+  Marks starts_below_;
   SheetLinkDecisions decide_;
   unsigned byte_ = 0;  // the bits of the last byte that were not taken yet, lowest first
   int bits_ = 0;       // how many these are

@@ -137,7 +137,7 @@ class GridWriter {
   void write_links(const MinimalFace& face) {
     if (grid_.sheet ? face.strip() : !is_ambiguous(face)) return;
     outline_.clear();
-    starts_below_.clear();
+    starts_below_.resize(0);
     for_each_hit(face, [&](const FaceEdge& edge, HitId hit, int) {
       outline_.push_back(3 * hit + edge.slot);
       starts_below_.push_back(starts_below(edge, grid_.hits[hit].reversed()));
@@ -209,7 +209,7 @@ class GridWriter {
   std::string out_;
   // Of the face at hand: its half-edges in order, and which of them start below it.
   std::vector<HalfEdgeId> outline_;
-  std::vector<bool> starts_below_;
+  Marks starts_below_;
   SheetLinkDecisions decide_;
   std::vector<Index> place_;  // per half-edge of the face at hand: its place in the outline
   unsigned byte_ = 0;         // bits that do not fill a byte yet, lowest first

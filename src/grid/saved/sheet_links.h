@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "kdmanifold/types.h"
+#include "mesh/marks.h"
 
 namespace kdm {
 
@@ -21,16 +22,15 @@ class SheetLinkDecisions {
   /// later hits j in turn, `partner(i, j)`, until the answer is yes; the last of them needs no
   /// question. Then it calls `link(i, j)`. Takes as many steps as there are hits and questions.
   template <typename Linked, typename Partner, typename Link>
-  void operator()(const std::vector<bool>& starts_below, Linked&& linked, Partner&& partner,
-                  Link&& link) {
+  void operator()(const Marks& starts_below, Linked&& linked, Partner&& partner, Link&& link) {
     const auto count = static_cast<Index>(starts_below.size());
     for (Open& side : open_) side.clear();
-    for (Index i = 0; i < count; ++i) open_[starts_below[i] ? 1 : 0].hits.push_back(i);
+    for (Index i = 0; i < count; ++i) open_[starts_below.test(i) ? 1 : 0].hits.push_back(i);
     for (Index i = 0; i < count; ++i) {
-      Open& own = open_[starts_below[i] ? 1 : 0];
+      Open& own = open_[starts_below.test(i) ? 1 : 0];
       if (own.empty() || own.hits[own.front] != i) continue;
       ++own.front;
-      Open& others = open_[starts_below[i] ? 0 : 1];
+      Open& others = open_[starts_below.test(i) ? 0 : 1];
       if (others.empty() || !linked(i)) continue;
       std::size_t at = others.front;
       while (at + 1 < others.hits.size() && !partner(i, others.hits[at])) ++at;

@@ -96,7 +96,7 @@ TEST(SheetIo, AllLinksOfAFaceCanBeTold) {
   int links_told = 0;
   constexpr Index kHits = 6;
   for (unsigned pattern = 0; pattern < 1u << kHits; ++pattern) {
-    std::vector<bool> starts_below;
+    Marks starts_below;
     for (Index i = 0; i < kHits; ++i) starts_below.push_back((pattern >> i & 1u) != 0);
     std::vector<Index> partner(kHits, kNone);
     const auto try_all = [&](auto&& self, Index i) -> void {
@@ -126,7 +126,7 @@ TEST(SheetIo, AllLinksOfAFaceCanBeTold) {
       self(self, i + 1);
       if (partner[i] != kNone) return;
       for (Index j = i + 1; j < kHits; ++j) {
-        if (partner[j] != kNone || starts_below[i] == starts_below[j]) continue;
+        if (partner[j] != kNone || starts_below.test(i) == starts_below.test(j)) continue;
         partner[i] = j;
         partner[j] = i;
         self(self, i + 1);
