@@ -150,7 +150,11 @@ bool is_obj(TextScanner scanner) {
                                             "g",  "s",  "mg", "fo", "mtllib", "usemtl", "cstype"};
   while (scanner.find_word()) {
     const std::string_view keyword = scanner.word();
-    if (keyword == "v") return is_number(scanner) && is_number(scanner) && is_number(scanner);
+    if (keyword == "v") {
+      int numbers = 0;
+      while (numbers < 3 && is_number(scanner)) ++numbers;
+      return numbers == 3;
+    }
     if (std::find(std::begin(kKeywords), std::end(kKeywords), keyword) == std::end(kKeywords)) {
       return false;
     }
