@@ -4,7 +4,9 @@
 #include "extract/mend/double_edges.h"
 
 #include "extract/dual/edit.h"
+#include "extract/place/link_point.h"
 #include "geometry/assert.h"
+#include "geometry/quadric.h"
 #include "mesh/sort.h"
 
 namespace kdm {
@@ -86,13 +88,27 @@ class Separation {
     if (c == d) doubles_.emplace_back(m, c);
   }
 
-  // Returns the middle between the two hits: it lies in the minimal face between the two leaves, or
-  // near it.
+  // Returns the point nearest to the edge's middle at which the planes of the two hits meet, within
+  // the box of the edge and the hits. Where parts touch along an edge, it lies on this edge.
   Vec3 between(Index triangle, Index other, Index a, Index b) const {
+    const Vec3& p = mesh_.position[a];
+    const Vec3& q = mesh_.position[b];
     const Index hit = mesh_.hit[triangle];
     const Index other_hit = mesh_.hit[other];
-    if (hit == other_hit) return 0.5 * (mesh_.position[a] + mesh_.position[b]);
-    return 0.5 * (view_.hit_points[hit] + view_.hit_points[other_hit]);
+    if (hit == other_hit) return 0.5 * (p + q);
+    const Vec3& r = view_.hit_points[hit];
+    const Vec3& s = view_.hit_points[other_hit];
+    PrimalQuadric quadric(0.5 * (p + q));
+    quadric.add(view_.grid.plane_of(hit));
+    quadric.add(view_.grid.plane_of(other_hit));
+    const Vec3 crease = quadric.minimiser_in(p.cwiseMin(q).cwiseMin(r).cwiseMin(s),
+                                             p.cwiseMax(q).cwiseMax(r).cwiseMax(s));
+    // A third face may cut it off: one of those round the edge's ends.
+    std::vector<HitId> hits;
+    for (const VertexId v : {a, b}) {
+      for (const HalfEdgeId h : mesh_.ring(v)) hits.push_back(mesh_.hit[h / 3]);
+    }
+    return behind_planes(view_, {hit, other_hit}, hits, view_.grid.tolerance / 2, crease);
   }
 
   GridView view_;

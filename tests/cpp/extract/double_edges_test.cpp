@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <numeric>
 #include <set>
@@ -32,6 +33,14 @@ std::vector<Vec3> prepare(DualMesh& mesh) {
   return hit_points;
 }
 
+// A grid with a hit for each triangle. All hits lie in the plane y = 100, as their points do.
+GridData grid_of(const DualMesh& mesh) {
+  GridData grid;
+  grid.planes.push_back({Vec3(0, 1, 0), 100});
+  for (Index t = 0; t < mesh.triangles(); ++t) grid.hits.push_back(Hit(0, 0, false, false));
+  return grid;
+}
+
 // How many edges there are beyond one between any two vertices.
 Index surplus_edges(const DualMesh& mesh) {
   std::map<std::pair<Index, Index>, Index> uses;
@@ -46,30 +55,42 @@ Index surplus_edges(const DualMesh& mesh) {
 TEST(DoubleEdges, ADoubleEdgeGetsOneVertex) {
   DualMesh mesh = shapes::beach_ball(2);
   const std::vector<Vec3> points = prepare(mesh);
+  const GridData grid = grid_of(mesh);
   EditLog log;
   ASSERT_FALSE(check::is_two_manifold(shapes::index_mesh(mesh)));
-  EXPECT_EQ(separate_double_edges({kNoGrid, {}, points}, mesh, log), 1u);
+  EXPECT_EQ(separate_double_edges({grid, {}, points}, mesh, log), 1u);
   check::expect_sound(mesh);
   const check::MeshCheck result = check::check_mesh(shapes::index_mesh(mesh));
   EXPECT_TRUE(result.two_manifold) << result.faults();
   EXPECT_EQ(result.euler_characteristic, 2);
   EXPECT_EQ(mesh.vertices(), 5u);
   EXPECT_EQ(mesh.triangles(), 6u);
-  // The new vertex lies between the hits of the two triangles that were divided, and belongs to no
-  // leaf; the new triangles are of the same hits.
+  // The new vertex lies in the planes of the two hits whose triangles were divided, as near to the
+  // middle of the edge as may be, and belongs to no leaf; the new triangles are of the same hits.
   EXPECT_EQ(mesh.leaf.back(), kNone);
   EXPECT_LT(mesh.hit[4], 4u);
   EXPECT_LT(mesh.hit[5], 4u);
   EXPECT_NE(mesh.hit[4], mesh.hit[5]);
-  EXPECT_EQ(mesh.position.back(), 0.5 * (points[mesh.hit[4]] + points[mesh.hit[5]]));
+  EXPECT_EQ(mesh.position.back()[1], 100);
+  std::vector<Vec3> middles;
+  for (const HalfEdgeId h : mesh.ring(mesh.vertices() - 1)) {
+    const VertexId a = mesh.end_vertex(h);
+    for (const HalfEdgeId g : mesh.ring(mesh.vertices() - 1)) {
+      middles.push_back(0.5 * (mesh.position[a] + mesh.position[mesh.end_vertex(g)]));
+    }
+  }
+  EXPECT_TRUE(std::any_of(middles.begin(), middles.end(), [&](const Vec3& m) {
+    return m[0] == mesh.position.back()[0] && m[2] == mesh.position.back()[2];
+  }));
 }
 
 TEST(DoubleEdges, MultipleEdgesKeepOne) {
   for (Index disks = 2; disks <= 9; ++disks) {
     DualMesh mesh = shapes::beach_ball(disks);
     const std::vector<Vec3> points = prepare(mesh);
+    const GridData grid = grid_of(mesh);
     EditLog log;
-    EXPECT_EQ(separate_double_edges({kNoGrid, {}, points}, mesh, log), disks - 1);
+    EXPECT_EQ(separate_double_edges({grid, {}, points}, mesh, log), disks - 1);
     check::expect_sound(mesh);
     const check::MeshCheck result = check::check_mesh(shapes::index_mesh(mesh));
     EXPECT_TRUE(result.two_manifold) << disks << ": " << result.faults();
@@ -82,8 +103,9 @@ TEST(DoubleEdges, ARingOfManyNeighboursIsSearchedToo) {
   // More than a dozen neighbours, two of them the same.
   DualMesh mesh = shapes::beach_ball(20);
   const std::vector<Vec3> points = prepare(mesh);
+  const GridData grid = grid_of(mesh);
   EditLog log;
-  EXPECT_EQ(separate_double_edges({kNoGrid, {}, points}, mesh, log), 19u);
+  EXPECT_EQ(separate_double_edges({grid, {}, points}, mesh, log), 19u);
   EXPECT_TRUE(check::is_two_manifold(shapes::index_mesh(mesh)));
 }
 
@@ -92,6 +114,7 @@ TEST(DoubleEdges, BothTrianglesMayHaveTheSameThirdVertex) {
   // their third vertex in common, so the vertex put on it is doubly joined to that one in turn.
   DualMesh mesh = shapes::tight_torus(4, 2, 1);
   const std::vector<Vec3> points = prepare(mesh);
+  const GridData grid = grid_of(mesh);
   EditLog log;
   bool found = false;
   for (Index h = 0; h < mesh.vertex.size(); ++h) {
@@ -99,7 +122,7 @@ TEST(DoubleEdges, BothTrianglesMayHaveTheSameThirdVertex) {
         mesh.vertex[previous_in_triangle(h)] == mesh.vertex[previous_in_triangle(mesh.opposite[h])];
   }
   ASSERT_TRUE(found);
-  const Index inserted = separate_double_edges({kNoGrid, {}, points}, mesh, log);
+  const Index inserted = separate_double_edges({grid, {}, points}, mesh, log);
   EXPECT_GE(inserted, 6u) << "twelve edges, but four vertices have six pairs only";
   check::expect_sound(mesh);
   EXPECT_EQ(surplus_edges(mesh), 0u);
@@ -117,10 +140,11 @@ TEST(DoubleEdges, EveryTightTorusBecomesManifold) {
         SCOPED_TRACE(testing::Message() << n << ' ' << p << ' ' << q);
         DualMesh mesh = shapes::tight_torus(n, p, q);
         const std::vector<Vec3> points = prepare(mesh);
+        const GridData grid = grid_of(mesh);
         EditLog log;
         ASSERT_EQ(mesh.vertices(), n);
         const Index surplus = surplus_edges(mesh);
-        const Index inserted = separate_double_edges({kNoGrid, {}, points}, mesh, log);
+        const Index inserted = separate_double_edges({grid, {}, points}, mesh, log);
         EXPECT_GE(inserted, surplus);
         EXPECT_EQ(mesh.vertices(), n + inserted);
         EXPECT_EQ(mesh.triangles(), 2 * n + 2 * inserted);
@@ -142,9 +166,10 @@ TEST(DoubleEdges, WhatIsManifoldStaysAsItIs) {
        {shapes::dual_mesh(shapes::icosphere(1).triangles),
         shapes::dual_mesh(shapes::torus(1, 0.3, 6, 5).triangles), shapes::tight_torus(7, 1, 2)}) {
     const std::vector<Vec3> points = prepare(mesh);
+    const GridData grid = grid_of(mesh);
     EditLog log;
     const DualMesh before = mesh;
-    EXPECT_EQ(separate_double_edges({kNoGrid, {}, points}, mesh, log), 0u);
+    EXPECT_EQ(separate_double_edges({grid, {}, points}, mesh, log), 0u);
     EXPECT_EQ(mesh.vertex, before.vertex);
     EXPECT_EQ(mesh.opposite, before.opposite);
     EXPECT_EQ(mesh.hit, before.hit);
@@ -154,9 +179,10 @@ TEST(DoubleEdges, WhatIsManifoldStaysAsItIs) {
 TEST(DoubleEdges, AStripThatIsDividedIsNoLongerOne) {
   DualMesh mesh = shapes::beach_ball(2);
   const std::vector<Vec3> points = prepare(mesh);
+  const GridData grid = grid_of(mesh);
   EditLog log;
   mesh.strip = {1, 1, 1, 1};  // both edges 0-1 cross strips
-  separate_double_edges({kNoGrid, {}, points}, mesh, log);
+  separate_double_edges({grid, {}, points}, mesh, log);
   Index strips = 0;
   for (Index t = 0; t < mesh.triangles(); ++t) {
     for (Index i = 0; i < 3; ++i) {

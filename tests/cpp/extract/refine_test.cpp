@@ -175,28 +175,25 @@ double furthest_edge_point(const Mesh& mesh, const Mesh& from) {
   return std::sqrt(furthest);
 }
 
+// The rule that cuts through features leaves long leaves beside each other, and an edge from one to
+// the other may miss the surface between them by far.
 TEST(Refine, EdgesStayWithinTheTolerance) {
-  double before = 0;
-  double after = 0;
-  for (int turn = 1; turn <= 4; ++turn) {
-    // Of so many triangles that it is no small part, which cells would be fitted to.
-    const Mesh stairs = shapes::subdivided(shapes::subdivided(shapes::stairs(3)));
-    ASSERT_GT(stairs.triangles.size(), 512u);
-    const Mesh mesh = shapes::rotated(stairs, Vec3(turn, 2, 3), 0.3 + 0.2 * turn);
-    const double tolerance = 0.02;
-    const Grid grid = build_grid(mesh, {.tolerance = tolerance});
+  double before = 0;  // how far edges are off, in tolerances
+  for (int turn = 1; turn <= 3; ++turn) {
+    const Mesh mesh =
+        shapes::rotated(shapes::plate_with_holes(3, 3), Vec3(turn, 2, 3), 0.3 + 0.2 * turn);
+    const Grid grid = build_grid(mesh, {.strategy = SplitStrategy::kFeature});
+    const double tolerance = grid.stats().tolerance;
     const ExtractedMesh plain = extract(grid, {.link_error = 1e9});
     EXPECT_EQ(plain.report.link_vertices, 0u);
+    before = std::max(before, furthest_edge_point(plain, mesh) / tolerance);
     const ExtractedMesh out = extract(grid);
     EXPECT_TRUE(check::is_two_manifold(out));
     EXPECT_GT(out.report.link_vertices, 0u);
     EXPECT_LT(out.report.link_vertices, grid.stats().hits / 2);
-    before = std::max(before, furthest_edge_point(plain, mesh));
-    after = std::max(after, furthest_edge_point(out, mesh));
-    EXPECT_LE(furthest_edge_point(out, mesh), 1.5 * tolerance) << turn;
+    EXPECT_LE(furthest_edge_point(out, mesh), 1.1 * tolerance) << turn;
   }
-  EXPECT_GT(before, 0.02);
-  EXPECT_LT(after, 1.1 * 0.02) << "an edge near two planes may be a little further off a third";
+  EXPECT_GT(before, 5);
 }
 
 TEST(Refine, ErrorsMustBeNumbersFromZeroOn) {

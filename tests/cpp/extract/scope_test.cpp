@@ -127,7 +127,9 @@ TEST(Scope, DoubleEdgesAreSeparatedAsOftenByAList) {
     find_loops(GridData(), by_all);
     by_all.position.assign(by_all.vertices(), Vec3::Zero());
     DualMesh by_list = by_all;
-    const GridData grid;
+    GridData grid;
+    grid.planes.push_back({Vec3(0, 0, 1), 0});
+    grid.hits.assign(by_all.triangles(), Hit(0, 0, false, false));
     const std::vector<Vec3> points(by_all.triangles(), Vec3::Zero());
     EditLog log;
     const std::vector<Index> everything = all_below(by_all.vertices());
