@@ -6,6 +6,7 @@
 
 #include "mesh/disjoint_sets.h"
 #include "mesh/edge_sides.h"
+#include "mesh/joined.h"
 
 namespace kdm {
 namespace {
@@ -64,6 +65,13 @@ Topology build_topology(std::span<const Triangle> triangles, Index points) {
   });
   topology.components = parts.count();
   return topology;
+}
+
+std::vector<Index> find_parts(const Topology& topology) {
+  if (topology.components <= 1 && topology.non_manifold_edges == 0) return {};
+  DisjointSets parts = join_triangles(topology.opposite);
+  if (parts.count() <= 1) return {};
+  return number_sets(parts, topology.opposite.size() / 3);
 }
 
 }  // namespace kdm

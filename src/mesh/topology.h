@@ -33,4 +33,8 @@ struct Topology {
 /// triangles.
 Topology build_topology(std::span<const Triangle> triangles, Index points);
 
+/// Returns for each triangle the number of its part: of those that are connected with it through
+/// joined sides. Returns nothing if all triangles are of one part.
+std::vector<Index> find_parts(const Topology& topology);
+
 }  // namespace kdm

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <array>
 
-#include "mesh/disjoint_sets.h"
-#include "mesh/sides.h"
 #include "mesh/sort.h"
 
 namespace kdm {
@@ -26,21 +24,11 @@ std::int32_t upper_bound_of(std::uint64_t extent) {
 }  // namespace
 
 PartCuts::PartCuts(const Surface& surface) {
-  if (surface.topology.components <= 1) return;
-  const auto triangles = static_cast<Index>(surface.triangles.size());
-  DisjointSets parts(triangles);
-  for (SideId side = 0; side < 3 * triangles; ++side) {
-    const SideId opposite = surface.topology.opposite[side];
-    if (opposite != kNone && opposite < side) parts.join(triangle_of(side), triangle_of(opposite));
-  }
-  part_of_.reserve(triangles);
-  std::vector<Index> triangles_of(triangles, 0);  // per part, by its lowest triangle
-  for (TriangleId i = 0; i < triangles; ++i) {
-    part_of_.push_back(parts.find(i));
-    ++triangles_of[part_of_[i]];
-  }
-  in_small_part_.reserve(triangles);
-  for (const TriangleId part : part_of_) {
+  if (surface.topology.components > 1) part_of_ = find_parts(surface.topology);
+  std::vector<Index> triangles_of(part_of_.size(), 0);  // per part, by its lowest triangle
+  for (const Index part : part_of_) ++triangles_of[part];
+  in_small_part_.reserve(part_of_.size());
+  for (const Index part : part_of_) {
     in_small_part_.push_back(triangles_of[part] <= kMostTrianglesOfSmallPart);
   }
 }
@@ -52,10 +40,10 @@ bool PartCuts::all_small(std::span<const ListEntry> entries) const {
 }
 
 bool PartCuts::has_many_parts(std::span<const ListEntry> entries) const {
-  std::array<TriangleId, kFewParts> met;
+  std::array<Index, kFewParts> met;
   std::size_t count = 0;  // of the parts that were met
   for (const ListEntry& entry : entries) {
-    const TriangleId part = part_of_[entry.triangle];
+    const Index part = part_of_[entry.triangle];
     if (std::find(met.begin(), met.begin() + count, part) != met.begin() + count) continue;
     if (count == kFewParts) return true;
     met[count++] = part;
@@ -65,7 +53,7 @@ bool PartCuts::has_many_parts(std::span<const ListEntry> entries) const {
 
 std::optional<Split> PartCuts::propose(std::span<const ListEntry> entries) {
   if (part_of_.empty()) return std::nullopt;
-  const TriangleId first = part_of_[entries.front().triangle];
+  const Index first = part_of_[entries.front().triangle];
   if (std::all_of(entries.begin(), entries.end(),
                   [&](const ListEntry& entry) { return part_of_[entry.triangle] == first; })) {
     return std::nullopt;

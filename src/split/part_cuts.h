@@ -37,8 +37,8 @@ class PartCuts {
   std::optional<Split> propose(std::span<const ListEntry> entries);
 
  private:
-  std::vector<TriangleId> part_of_;  // per triangle: the lowest triangle of its part
-  Marks in_small_part_;              // per triangle
+  std::vector<Index> part_of_;  // per triangle: its part; empty if there is one
+  Marks in_small_part_;         // per triangle
   // The lower and upper bound of each triangle in the list along one axis, in lattice units.
   std::vector<std::uint64_t> extents_;
 };
