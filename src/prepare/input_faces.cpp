@@ -9,6 +9,7 @@
 #include "mesh/boxes.h"
 #include "mesh/check_positions.h"
 #include "prepare/cancel.h"
+#include "prepare/copies.h"
 #include "prepare/edit_faces.h"
 #include "prepare/extent.h"
 #include "prepare/non_manifold_edges.h"
@@ -98,6 +99,15 @@ void cancel_opposite_faces(InputFaces& faces) {
   find_topology(faces);
 }
 
+// Keeps one of each part that is there several times.
+void drop_copies(InputFaces& faces) {
+  const Marks copies =
+      find_copies(faces.triangles, static_cast<Index>(faces.points.size()), faces.topology);
+  if (!copies.any()) return;
+  faces.report.duplicate_faces = drop_faces(faces, copies);
+  find_topology(faces);
+}
+
 // Says what the input is before anything is done to it.
 void describe(InputFaces& faces) {
   const Extent extent = find_extent(faces.triangles, faces.points, faces.topology, faces.bounds);
@@ -122,7 +132,9 @@ void make_closed(InputFaces& faces, const BuildOptions& options) {
     if (faces.repair) return;
   }
   cancel_opposite_faces(faces);
-  if (repair) turn_inverted_parts(faces);
+  if (!repair) return;
+  drop_copies(faces);
+  turn_inverted_parts(faces);
 }
 
 }  // namespace
