@@ -3,7 +3,7 @@
 // while a mesh changes.
 #pragma once
 
-#include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -33,8 +33,8 @@ class CrossingPairs {
 
   /// Lists the triangles of all pairs and those without area; ascending.
   std::vector<TriangleId> triangles() const;
-  /// Counts the pairs.
-  std::uint64_t pairs() const { return pairs_.size(); }
+  /// Lists the pairs of triangles that cross or touch, in no particular order.
+  std::span<const std::pair<TriangleId, TriangleId>> pairs() const { return pairs_; }
 
  private:
   void forget_changed(const DualMesh& mesh);

@@ -17,6 +17,7 @@
 #include "extract/embed/crossing_pairs.h"
 #include "extract/embed/loop_position.h"
 #include "extract/embed/nested_loops.h"
+#include "extract/embed/part_contacts.h"
 #include "extract/embed/restore.h"
 #include "extract/mend/mend_edges.h"
 #include "extract/place/add_vertices.h"
@@ -29,6 +30,11 @@ namespace {
 // The most that vertices keep off sides, as a fraction of the tolerance: too little to be seen in a
 // result.
 constexpr double kMaxMargin = 1.0 / 32;
+// How far vertices move at a time where parts touch, and how far in all, as fractions of the
+// tolerance.
+constexpr double kParting = 1.0 / 16;
+constexpr double kMostParting = 1.0 / 4;
+constexpr int kMostPartings = 2;  // between two rounds
 
 class Rounds {
  public:
@@ -46,7 +52,13 @@ class Rounds {
     make_whole_mesh(missed);
     CrossingPairs crossing_pairs(view_, loops_, log_);
     crossing_pairs.find(mesh_);
+    double opened = 0;  // how far vertices at contacts have moved
     for (int round = 1;; ++round) {
+      for (int i = 0; i < kMostPartings && !crossing_pairs.pairs().empty(); ++i) {
+        const std::vector<HitId> changed = part_pairs(crossing_pairs, opened);
+        if (changed.empty()) break;
+        crossing_pairs.update(mesh_, changed);
+      }
       hits_to_remake_.clear();
       raise_levels(crossing_pairs.triangles());
       if (hits_to_remake_.empty()) break;
@@ -55,7 +67,8 @@ class Rounds {
     }
     const auto refined = std::count_if(levels_.hits.begin(), levels_.hits.end(),
                                        [](auto level) { return level != EmbedLevel::kTriangle; });
-    return {std::move(mesh_), std::move(log_), static_cast<Index>(refined), crossing_pairs.pairs()};
+    return {std::move(mesh_), std::move(log_), static_cast<Index>(refined),
+            crossing_pairs.pairs().size()};
   }
 
  private:
@@ -75,6 +88,23 @@ class Rounds {
     add_vertices(view_, settings_, levels_, missed, mesh_, log_);
     mend_edges(view_, settings_, levels_, mesh_, log_);
     round_positions_from(loops_.vertices());
+  }
+
+  // Moves vertices at contacts apart, by up to a quarter of the tolerance in all. Returns the hits
+  // whose triangles have changed; ascending.
+  std::vector<HitId> part_pairs(const CrossingPairs& crossing_pairs, double& opened) {
+    const double tolerance = view_.grid.tolerance;
+    const double step = std::max(2.0, kParting * tolerance);
+    std::vector<HitId> changed;
+    if (opened + step > kMostParting * tolerance && opened > 0) return changed;
+    opened += step;
+    for (const VertexId v : part_contacts(crossing_pairs.pairs(), step, step, mesh_)) {
+      mesh_.position[v] = rounded(mesh_.position[v]);
+      if (v < loops_.vertices()) loops_.position[v] = mesh_.position[v];
+      for (const HalfEdgeId h : mesh_.ring(v)) changed.push_back(mesh_.hit[h / 3]);
+    }
+    make_set(changed);
+    return changed;
   }
 
   // Raises the hits of these triangles by a level; the loops round which triangles of the highest
