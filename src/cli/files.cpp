@@ -92,11 +92,29 @@ void handle_signals(void (*handler)(int)) {
   }
 }
 
+// Holds back these signals as long as it exists; those that came are delivered then.
+class HeldSignals {
+ public:
+  HeldSignals() {
+    sigset_t held;
+    sigemptyset(&held);
+    for (const int number : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&held, number);
+    sigprocmask(SIG_BLOCK, &held, &before_);
+  }
+  HeldSignals(const HeldSignals&) = delete;
+  HeldSignals& operator=(const HeldSignals&) = delete;
+  ~HeldSignals() { sigprocmask(SIG_SETMASK, &before_, nullptr); }
+
+ private:
+  sigset_t before_;
+};
+
 // A file that is removed again unless it is kept.
 class TemporaryFile {
  public:
   // In the folder of the target: a file can be renamed in one step only within a folder.
   explicit TemporaryFile(const std::string& target) : target_(target) {
+    const HeldSignals held;  // until the handler knows of the file
     for (int attempt = 0; !file_ && attempt < 1000; ++attempt) {
       path_ = fmt::format("{}.{}.part", target, attempt);
       file_.reset(std::fopen(path_.c_str(), "wbx"));  // x: fails where it exists
