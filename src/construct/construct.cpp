@@ -99,7 +99,7 @@ class Construction {
                InsideModel& model, const Progress& progress, GridData& grid)
       : model_(model),
         grid_(grid),
-        rule_(make_split_rule(surface, options, tolerance, depth)),
+        rule_(make_split_rule(surface, model, options, tolerance, depth)),
         lists_(surface.triangles),
         search_(surface.triangles),
         budget_(surface.repair || surface.patched
@@ -137,7 +137,7 @@ class Construction {
     if (frame.triangles.size() == 0) return;
     const std::optional<Split> split =
         rule_->choose({frame.box, frame.depth, lists_.entries(frame.triangles), frame.rule,
-                       frame.edges, crossings_.all});
+                       frame.edges, crossings_.all, frame.state[0]});
     if (!split) return;
     budget_.take_split();
     KDM_ASSERT(split->value > frame.box.lo[split->axis] && split->value < frame.box.hi[split->axis],

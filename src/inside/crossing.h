@@ -21,15 +21,24 @@ struct Crossing {
   bool leaving;         ///< the triangle's normal points up the edge
 };
 
+/// What an inside model says of a crossing.
+enum class CrossingRole {
+  kBounds,    ///< bounds the solid: it becomes a hit
+  kInner,     ///< does not: the points just below and above it lie both inside, or both outside
+  kTouching,  ///< one of several at one position that lie outside: parts of the solid touch there
+  kGap        ///< one of two that leave the solid and enter it again, so close to each other that
+              ///< the gap between them is closed
+};
+
 /// A crossing and what the inside model says of it: 12 bytes, since construction keeps one for
 /// every intersection.
 class ClassifiedCrossing {
  public:
-  ClassifiedCrossing(LinePosition position, TriangleId triangle, int state_after, bool kept,
+  ClassifiedCrossing(LinePosition position, TriangleId triangle, int state_after, CrossingRole role,
                      bool leaving)
       : position_(position),
-        packed_((triangle & kTriangleMask) | (kept ? kKept : 0u) | (leaving ? kLeaving : 0u)),
-        state_after_(state_after) {}
+        packed_((triangle & kTriangleMask) | (leaving ? kLeaving : 0u)),
+        state_and_role_(state_after * 4 + static_cast<int>(role)) {}
 
   LinePosition position() const { return position_; }
   /// Returns kNone for a crossing that was invented.
@@ -38,21 +47,23 @@ class ClassifiedCrossing {
     return triangle == kTriangleMask ? kNone : triangle;
   }
   /// Returns the inside model's state of the points just above the crossing.
-  int state_after() const { return state_after_; }
+  int state_after() const { return state_and_role_ >> 2; }
+  CrossingRole role() const { return static_cast<CrossingRole>(state_and_role_ & 3); }
+  void set_role(CrossingRole role) { state_and_role_ = state_after() * 4 + static_cast<int>(role); }
   /// Returns whether the crossing bounds the solid (of a sheet: always), so that it becomes a hit.
-  bool kept() const { return (packed_ & kKept) != 0; }
+  bool kept() const { return role() == CrossingRole::kBounds; }
   /// Returns whether the edge, followed upwards, leaves the solid here; this may differ from the
-  /// direction of the triangle. The answer has a meaning only if the crossing is kept.
+  /// direction of the triangle. The answer has a meaning only if the crossing bounds the solid or a
+  /// gap in it.
   bool leaving() const { return (packed_ & kLeaving) != 0; }
 
  private:
   static constexpr std::uint32_t kLeaving = 1u << 31;
-  static constexpr std::uint32_t kKept = 1u << 30;
-  static constexpr std::uint32_t kTriangleMask = kKept - 1;  // no input has as many triangles
+  static constexpr std::uint32_t kTriangleMask = kLeaving - 1;  // no input has as many triangles
 
   LinePosition position_;
-  std::uint32_t packed_;  // 30 bits of triangle, then the two flags
-  int state_after_;
+  std::uint32_t packed_;  // 31 bits of triangle, then the flag
+  int state_and_role_;    // the role takes two bits
 };
 static_assert(sizeof(ClassifiedCrossing) == 12);
 

@@ -8,6 +8,7 @@
 // must depend on the position of the vertex alone, so that all cells with the vertex agree on it.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "inside/crossing.h"
@@ -34,6 +35,14 @@ class InsideModel {
   /// another vertex on the same grid line by counting the crossings between the two; a model that
   /// counts returns it, other models may ignore it.
   virtual int state_at(const LatticePoint& vertex, int counted) = 0;
+
+  /// Tells whether points of this state are inside, where states are winding numbers that may be
+  /// counted along any path: `state_after` (inside/winding.h) says how they change from one side of
+  /// a triangle to the other. Other models return nothing.
+  virtual std::optional<bool> is_inside(int state) const {
+    static_cast<void>(state);
+    return std::nullopt;
+  }
 
   /// Sorts the crossings `found` on an edge by their position, classifies them, and appends them to
   /// `planned` in ascending order.

@@ -5,18 +5,21 @@
 
 #include "geometry/assert.h"
 #include "grid/splitting_edges.h"
+#include "inside/gaps.h"
 #include "inside/winding.h"
 #include "inside/winding_oracle.h"
 
 namespace kdm {
 namespace {
 
-// Makes a hit of every crossing that was planned to be kept.
-void write_kept(const EdgeCrossings& planned, HitWriter& writer) {
+// Makes a hit of every crossing that bounds the solid.
+void write_hits(const EdgeCrossings& planned, HitWriter& writer) {
   const std::vector<LatticeBox> boxes = cell_boxes(writer.grid());
+  const Marks open = find_open_gaps(writer.grid(), boxes, planned);
   for_each_splitting_edge(writer.grid(), boxes, [&](const SplittingEdge& edge) {
-    for (const ClassifiedCrossing& crossing : planned.of(edge.number)) {
-      if (crossing.kept()) writer.add(edge, crossing);
+    for (Index c = planned.edge_begin[edge.number]; c < planned.edge_begin[edge.number + 1]; ++c) {
+      const ClassifiedCrossing& crossing = planned.all[c];
+      if (crossing.kept() || (!open.empty() && open.test(c))) writer.add(edge, crossing);
     }
     writer.end_edge(edge);
   });
@@ -25,7 +28,10 @@ void write_kept(const EdgeCrossings& planned, HitWriter& writer) {
 // A solid bounded by a closed, consistently oriented surface, which may overlap itself.
 class WindingModel final : public InsideModel {
  public:
-  explicit WindingModel(InsideRule rule) : rule_(rule) {}
+  WindingModel(const Surface& surface, InsideRule rule, double tolerance)
+      : rule_(rule), gaps_(surface, tolerance) {}
+
+  std::optional<bool> is_inside(int state) const override { return kdm::is_inside(rule_, state); }
 
   int state_at(const LatticePoint& vertex, int counted) override {
     static_cast<void>(vertex);
@@ -34,18 +40,21 @@ class WindingModel final : public InsideModel {
 
   void plan_edge(const GridEdge& edge, std::vector<Crossing>& found,
                  std::vector<ClassifiedCrossing>& planned) override {
+    const std::size_t before = planned.size();
     const int state = classify_crossings(found, edge.state_low, rule_, planned);
+    gaps_.close(edge.axis, std::span(planned).subspan(before));
     KDM_ASSERT(state == edge.state_high,
                "winding numbers agree along all edges of a splitting face");
     static_cast<void>(state);
   }
 
   void finish_edges(const EdgeCrossings& planned, HitWriter& writer) override {
-    write_kept(planned, writer);
+    write_hits(planned, writer);
   }
 
  private:
   InsideRule rule_;
+  GapRule gaps_;
 };
 
 // A surface that bounds no solid: every crossing is a hit, and there is only one state.
@@ -60,12 +69,13 @@ class SheetModel final : public InsideModel {
                  std::vector<ClassifiedCrossing>& planned) override {
     sort_crossings(found);
     for (const Crossing& c : found) {
-      planned.emplace_back(c.position, c.triangle, edge.state_low, true, c.leaving);
+      planned.emplace_back(c.position, c.triangle, edge.state_low, CrossingRole::kBounds,
+                           c.leaving);
     }
   }
 
   void finish_edges(const EdgeCrossings& planned, HitWriter& writer) override {
-    write_kept(planned, writer);
+    write_hits(planned, writer);
   }
 };
 
@@ -77,7 +87,7 @@ std::unique_ptr<InsideModel> make_inside_model(const Surface& surface, const Bui
   if (surface.repair) {
     return std::make_unique<WindingOracle>(surface, options.winding_threshold, tolerance);
   }
-  return std::make_unique<WindingModel>(options.inside);
+  return std::make_unique<WindingModel>(surface, options.inside, tolerance);
 }
 
 }  // namespace kdm

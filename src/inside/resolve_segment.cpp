@@ -35,7 +35,8 @@ void SegmentResolver::resolve(const Segment& segment, std::vector<Crossing>& cro
   sort_crossings(crossings);
   if (consistent(segment, crossings)) {
     for (const Crossing& c : crossings) {
-      classified.emplace_back(c.position, c.triangle, c.leaving ? 0 : 1, true, c.leaving);
+      classified.emplace_back(c.position, c.triangle, c.leaving ? 0 : 1, CrossingRole::kBounds,
+                              c.leaving);
     }
     return;
   }
@@ -46,7 +47,7 @@ void SegmentResolver::resolve(const Segment& segment, std::vector<Crossing>& cro
     if (inside == inside_next) return;
     if (invent) {
       const LinePosition position = change_between(segment, last, next, inside);
-      classified.emplace_back(position, kNone, inside ? 0 : 1, true, inside);
+      classified.emplace_back(position, kNone, inside ? 0 : 1, CrossingRole::kBounds, inside);
     }
     inside = inside_next;
   };
@@ -59,8 +60,9 @@ void SegmentResolver::resolve(const Segment& segment, std::vector<Crossing>& cro
     while (keep < cluster.end && crossings[keep].leaving != inside) ++keep;
     if (keep == cluster.end) keep = cluster.begin;
     for (std::size_t i = cluster.begin; i < cluster.end; ++i) {
-      classified.emplace_back(crossings[i].position, crossings[i].triangle,
-                              cluster.inside_after ? 1 : 0, changes && i == keep, inside);
+      classified.emplace_back(
+          crossings[i].position, crossings[i].triangle, cluster.inside_after ? 1 : 0,
+          changes && i == keep ? CrossingRole::kBounds : CrossingRole::kInner, inside);
     }
     inside = cluster.inside_after;
     last = crossings[cluster.end - 1].position;

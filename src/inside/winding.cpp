@@ -5,7 +5,6 @@
 #include "mesh/sort.h"
 
 namespace kdm {
-
 void sort_crossings(std::vector<Crossing>& crossings) {
   sort_by(crossings, [](const Crossing& a, const Crossing& b) {
     return a.position != b.position ? a.position < b.position : a.triangle < b.triangle;
@@ -25,12 +24,15 @@ int classify_crossings(std::vector<Crossing>& found, int winding_below, InsideRu
     }
     const bool was_inside = is_inside(rule, winding);
     const bool changes = was_inside != is_inside(rule, after);
+    const CrossingRole others = last - first > 1 && !was_inside && !changes
+                                    ? CrossingRole::kTouching
+                                    : CrossingRole::kInner;
     std::size_t keep = first;
     while (keep < last && found[keep].leaving != was_inside) ++keep;
     if (keep == last) keep = first;
     for (std::size_t i = first; i < last; ++i) {
-      classified.emplace_back(found[i].position, found[i].triangle, after, changes && i == keep,
-                              was_inside);
+      classified.emplace_back(found[i].position, found[i].triangle, after,
+                              changes && i == keep ? CrossingRole::kBounds : others, was_inside);
     }
     winding = after;
     first = last;

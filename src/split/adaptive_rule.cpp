@@ -13,9 +13,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "inside/gaps.h"
+#include "mesh/marks.h"
+#include "split/contact_points.h"
 #include "split/crossing_triangles.h"
 #include "split/cut_choice.h"
 #include "split/fit_check.h"
+#include "split/inner_triangles.h"
 #include "split/part_cuts.h"
 #include "split/split_rules.h"
 #include "split/topology_check.h"
@@ -25,6 +29,11 @@ namespace {
 
 // Rounding moves the surface by less than a lattice unit; nothing finer than this can be asked for.
 constexpr double kFinestTolerance = 2.0;
+// Pieces that touch in a point are parted in cells of half the tolerance.
+constexpr double kFine = 0.5;
+// The budget of splits for the topology of what is thinner than the topology floor.
+constexpr std::size_t kFineSplits = 200000;
+constexpr std::size_t kFineSplitsPerTriangle = 16;
 // Above this many triangles a cell is split on a clear misfit even where shells may hide others.
 constexpr std::size_t kManyTriangles = 64;
 
@@ -39,8 +48,10 @@ double diagonal(const LatticeBox& box) {
 
 class AdaptiveRule : public SplitRule {
  public:
-  AdaptiveRule(const Surface& surface, double tolerance, int max_depth, CutPosition position)
+  AdaptiveRule(const Surface& surface, const InsideModel& model, double tolerance, int max_depth,
+               CutPosition position)
       : surface_(surface),
+        counts_states_(model.is_inside(0).has_value()),
         open_surface_(has_open_sides(surface)),
         tolerance_(std::max(tolerance, kFinestTolerance)),
         position_(position),
@@ -48,9 +59,24 @@ class AdaptiveRule : public SplitRule {
         surface_in_cell_(surface),
         fit_(surface, tolerance_),
         topology_(surface),
-        cuts_(surface, tolerance_, max_depth, position) {}
+        contact_points_(surface),
+        inner_triangles_(surface, model, widest_gap(tolerance)),
+        cuts_(surface, tolerance_, max_depth, position),
+        fine_splits_left_(kFineSplits + kFineSplitsPerTriangle * surface.triangles.size()) {}
 
   std::optional<Split> choose(const CellView& cell) override {
+    std::optional<Split> split = choose_split(cell);
+    if (split && position_ != CutPosition::kInTurn) split->value = off_gaps(cell, *split);
+    return split;
+  }
+
+  void report(GridStats& stats) const override {
+    stats.unresolved_leaves = unresolved_leaves_;
+    stats.topology_resolved = unresolved_leaves_ == 0;
+  }
+
+ private:
+  std::optional<Split> choose_split(const CellView& cell) {
     // An octree's cell is cut in eight, by three splits, or not at all.
     if (position_ == CutPosition::kInTurn && cell.depth % 3 != 0) return split_for_fit(cell);
     CellCrossings& crossings = surface_in_cell_.crossings;
@@ -65,12 +91,6 @@ class AdaptiveRule : public SplitRule {
     return choose_by_pieces(cell, small, topology_first);
   }
 
-  void report(GridStats& stats) const override {
-    stats.unresolved_leaves = unresolved_leaves_;
-    stats.topology_resolved = unresolved_leaves_ == 0;
-  }
-
- private:
   // Tells whether topology comes first in the cell, and looks for a plane between its parts. Where
   // many small parts have no plane between them, topology does not come first: each part would be
   // cut to its end before the next.
@@ -93,9 +113,10 @@ class AdaptiveRule : public SplitRule {
   }
 
   std::optional<Split> choose_by_pieces(const CellView& cell, bool small, bool topology_first) {
-    const bool some_dropped = surface_in_cell_.crossings.some_dropped();
-    // What closes two pieces that end in the cell may lead from one to the other.
-    const bool shells_cross = (some_dropped && triangles_cross()) ||
+    const bool some_cross = surface_in_cell_.crossings.some_dropped() && leave_inner_out(cell);
+    // Where pieces touch on an edge of the cell, loops lead from one to the other; and so may what
+    // closes two pieces that end in the cell.
+    const bool shells_cross = some_cross || surface_in_cell_.crossings.has_touches ||
                               (surface_.repair && surface_in_cell_.several_pieces_have_rims());
     const LeafVertices vertices =
         shells_cross ? LeafVertices::kOneForAll : LeafVertices::kOneEachPiece;
@@ -103,19 +124,57 @@ class AdaptiveRule : public SplitRule {
     if (topology_first) {
       fault = topology_.find_fault(surface_in_cell_);
       if (fault && !cuts_.is_below_topology_floor(surface_in_cell_)) {
-        return split_for_topology(cell, *fault);
+        return split_for_topology(cell, *fault, shells_cross);
       }
     }
     if (!small && !fit_.pieces_fit(surface_in_cell_, vertices)) return split_for_fit(cell);
     if (!topology_first) fault = topology_.find_fault(surface_in_cell_);
-    if (fault) return split_for_topology(cell, *fault);
+    if (fault) return split_for_topology(cell, *fault, shells_cross);
     if (surface_.sheet) return std::nullopt;
-    if (shells_cross) return leave_unresolved();
-    if (some_dropped || !triangles_cross()) return std::nullopt;
+    if (counts_states_ && !is_fine(cell.box) &&
+        contact_points_.exist_in(surface_in_cell_, shells_cross)) {
+      return split_for_fit(cell);
+    }
+    if (shells_cross || surface_in_cell_.crossings.has_gaps) return leave_unresolved();
+    if (surface_in_cell_.crossings.some_dropped() || !triangles_cross()) return std::nullopt;
     // Shells cross between the cell's edges, so that no crossing was dropped.
     const bool fits = small || fit_.pieces_fit(surface_in_cell_, LeafVertices::kOneForAll);
     return fits ? leave_unresolved() : split_for_fit(cell);
   }
+
+  // Finds pieces and triangles that bound nothing in a cell with crossings that are no hits. A
+  // piece that crosses no other one bounds the solid all over or nowhere, as its crossings say; of
+  // the others, each triangle is looked at. Returns whether pieces that bound the solid cross or
+  // touch.
+  bool leave_inner_out(const CellView& cell) {
+    CellPieces& pieces = surface_in_cell_.pieces;
+    const Marks& crossing = crossing_triangles_.find_all(surface_in_cell_.triangles);
+    const bool some_cross = crossing.any();
+    if (!counts_states_) {
+      // Only where all crossings say so, for they may contradict each other.
+      const std::span<const Piece> all = pieces.all();
+      if (!std::all_of(all.begin(), all.end(), [](const Piece& p) { return p.seems_inner(); })) {
+        return some_cross;
+      }
+    } else if (some_cross && surface_in_cell_.triangles.size() <= kManyTriangles) {
+      inner_triangles_.find(surface_in_cell_, cell.state);
+    }
+    must_bound_.assign(pieces.all().size());
+    for (MemberId m = 0; counts_states_ && m < surface_in_cell_.triangles.size(); ++m) {
+      if (crossing.test(m) && !surface_in_cell_.is_inner(m)) must_bound_.set(pieces.piece_of(m));
+    }
+    for (PieceId i = 0; i < pieces.all().size(); ++i) {
+      if (pieces.all()[i].seems_inner() && !must_bound_.test(i)) pieces.set_inner(i);
+    }
+    pieces.leave_inner_out(surface_in_cell_.triangles);
+    for (MemberId m = 0; m < surface_in_cell_.triangles.size(); ++m) {
+      if (crossing.test(m) && !pieces.all()[pieces.piece_of(m)].is_inner) return true;
+    }
+    return false;
+  }
+
+  // Tells whether vertices in the cell may be parted within it, and stay within the tolerance.
+  bool is_fine(const LatticeBox& box) const { return diagonal(box) <= kFine * tolerance_; }
 
   bool triangles_cross() { return crossing_triangles_.exist_in(surface_in_cell_.triangles); }
 
@@ -124,9 +183,20 @@ class AdaptiveRule : public SplitRule {
     return split ? split : leave_unresolved();
   }
 
-  std::optional<Split> split_for_topology(const CellView& cell, const TopologyFault& fault) {
-    const std::optional<Split> split =
-        cuts_.split_for_topology(cell, surface_in_cell_, fault, between_parts_);
+  // Below the floor, topology is pursued where the surface is embedded, within the budget, and not
+  // where some of it is invented.
+  std::optional<Split> split_for_topology(const CellView& cell, const TopologyFault& fault,
+                                          bool shells_cross) {
+    std::optional<Split> split;
+    if (!cuts_.is_below_topology_floor(surface_in_cell_)) {
+      split = cuts_.split_for_topology(cell, surface_in_cell_, fault, between_parts_,
+                                       TopologyFloor::kAtTolerance);
+    } else if (fine_splits_left_ > 0 && !shells_cross && !surface_.has_rims() &&
+               !surface_.patched && !triangles_cross()) {
+      --fine_splits_left_;
+      split = cuts_.split_for_topology(cell, surface_in_cell_, fault, between_parts_,
+                                       TopologyFloor::kAtLattice);
+    }
     return split ? split : leave_unresolved();
   }
 
@@ -137,6 +207,7 @@ class AdaptiveRule : public SplitRule {
   }
 
   const Surface& surface_;
+  bool counts_states_;
   bool open_surface_;
   double tolerance_;
   CutPosition position_;
@@ -145,16 +216,20 @@ class AdaptiveRule : public SplitRule {
   FitCheck fit_;
   TopologyCheck topology_;
   CrossingTriangles crossing_triangles_;
+  ContactPoints contact_points_;
+  InnerTriangles inner_triangles_;
+  Marks must_bound_;  // per piece of the cell at hand: some triangle is known to bound the solid
   CutChoice cuts_;
   std::optional<Split> between_parts_;  // a plane between the small parts of the cell at hand
   Index unresolved_leaves_ = 0;
+  std::size_t fine_splits_left_;  // below the topology floor
 };
 
 }  // namespace
 
-std::unique_ptr<SplitRule> make_adaptive_rule(const Surface& surface, double tolerance, int depth,
-                                              CutPosition position) {
-  return std::make_unique<AdaptiveRule>(surface, tolerance, depth, position);
+std::unique_ptr<SplitRule> make_adaptive_rule(const Surface& surface, const InsideModel& model,
+                                              double tolerance, int depth, CutPosition position) {
+  return std::make_unique<AdaptiveRule>(surface, model, tolerance, depth, position);
 }
 
 }  // namespace kdm

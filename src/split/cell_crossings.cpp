@@ -7,6 +7,8 @@ void CellCrossings::collect(const CellView& cell) {
   all.clear();
   around_face = {};
   kept = 0;
+  has_gaps = false;
+  has_touches = false;
   for (int axis = 0; axis < 3; ++axis) {
     for (int ends = 0; ends < 4; ++ends) {
       const int high_next = ends & 1;
@@ -17,8 +19,13 @@ void CellCrossings::collect(const CellView& cell) {
       around_face[previous_axis(axis)][high_previous] += edge.end - edge.begin;
       for (Index i = edge.begin; i < edge.end; ++i) {
         const ClassifiedCrossing& crossing = cell.crossings[i];
-        all.push_back({crossing.position(), crossing.triangle(), number, crossing.kept()});
+        const CrossingRole role = crossing.role();
+        all.push_back({crossing.position(), crossing.triangle(), number,
+                       role == CrossingRole::kBounds,
+                       role == CrossingRole::kInner || role == CrossingRole::kGap});
         if (crossing.kept()) ++kept;
+        has_gaps = has_gaps || role == CrossingRole::kGap;
+        has_touches = has_touches || role == CrossingRole::kTouching;
       }
     }
   }

@@ -14,8 +14,9 @@ namespace kdm {
 struct CellCrossing {
   LinePosition position;  ///< along the edge
   TriangleId triangle;
-  int edge;   ///< which of the cell's twelve, numbered as `cell_edge` does
-  bool kept;  ///< the crossing bounds the solid: it will be a hit
+  int edge;    ///< which of the cell's twelve, numbered as `cell_edge` does
+  bool kept;   ///< the crossing bounds the solid: it will be a hit
+  bool inner;  ///< it does not, and what is known of it says so: parts do not merely touch there
 };
 
 /// The crossings on a cell's edges, edge after edge, and how many of them lie around each face.
@@ -23,6 +24,8 @@ struct CellCrossings {
   std::vector<CellCrossing> all;
   std::array<std::array<Index, 2>, 3> around_face{};  ///< by the face's axis; 0: low side, 1: high
   Index kept = 0;
+  bool has_gaps = false;     ///< some of the crossings bound gaps that are closed
+  bool has_touches = false;  ///< at some of the crossings parts of the solid touch
 
   /// Replaces the contents by the crossings of the given cell.
   void collect(const CellView& cell);

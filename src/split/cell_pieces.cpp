@@ -12,8 +12,6 @@ void CellPieces::find(const CellTriangles& triangles, const CellCrossings& cross
   all_members_.resize(triangles.size());
   std::iota(all_members_.begin(), all_members_.end(), MemberId{0});
   groups_.connect(triangles, all_members_, triangles.cell());
-  euler_characteristic_ = std::int64_t{vertices_.count_inner(triangles)} -
-                          std::int64_t{groups_.shared_edges()} + std::int64_t{triangles.size()};
   pieces_.clear();
   pieces_.reserve(groups_.count());
   piece_of_.resize(triangles.size());
@@ -27,6 +25,7 @@ void CellPieces::find(const CellTriangles& triangles, const CellCrossings& cross
       widen(pieces_[piece_of_[m]].bounds, triangles.bounds(m));
     }
   }
+  count(triangles);
   for (const SideId side : rim_sides()) {
     const TriangleId triangle = triangle_of(side);
     Piece& piece = pieces_[piece_of_[triangles.member_of(triangle)]];
@@ -41,14 +40,32 @@ void CellPieces::find(const CellTriangles& triangles, const CellCrossings& cross
     Piece& piece = pieces_[piece_of_[m]];
     ++piece.crossings;
     piece.kept += crossing.kept ? 1 : 0;
+    piece.inner += crossing.inner ? 1 : 0;
     piece.edges |= 1u << crossing.edge;
   }
 }
 
 bool CellPieces::are_disks() const {
-  if (euler_characteristic_ != static_cast<std::int64_t>(pieces_.size())) return false;
-  return std::all_of(pieces_.begin(), pieces_.end(),
-                     [](const Piece& piece) { return piece.crossings > 0 && piece.rims <= 1; });
+  if (euler_characteristic_ != std::int64_t{bounding_}) return false;
+  return std::all_of(pieces_.begin(), pieces_.end(), [](const Piece& piece) {
+    return piece.is_inner || (piece.crossings > 0 && piece.rims <= 1);
+  });
+}
+
+void CellPieces::leave_inner_out(const CellTriangles& triangles) {
+  all_members_.clear();
+  for (MemberId m = 0; m < triangles.size(); ++m) {
+    if (!pieces_[piece_of_[m]].is_inner) all_members_.push_back(m);
+  }
+  groups_.connect(triangles, all_members_, triangles.cell());
+  count(triangles);
+}
+
+void CellPieces::count(const CellTriangles& triangles) {
+  bounding_ = groups_.count();
+  euler_characteristic_ = std::int64_t{vertices_.count_inner(triangles, all_members_, piece_of_)} -
+                          std::int64_t{groups_.shared_edges()} +
+                          static_cast<std::int64_t>(all_members_.size());
 }
 
 }  // namespace kdm

@@ -22,20 +22,21 @@
 
 namespace kdm {
 
-/// A piece's number within the cell at hand. Pieces are numbered by their lowest members.
-using PieceId = Index;
-
 /// A connected part of the surface within the cell.
 struct Piece {
   MemberId lowest_member = 0;
-  Index crossings = 0;  ///< with the cell's edges
-  Index kept = 0;       ///< of these the ones that will be hits
-  LatticeBox bounds;    ///< rounded outwards
-  int rims = 0;         ///< connected parts of the surface's rim in it
-  unsigned edges = 0;   ///< bit e is set if the piece crosses edge e of the cell
+  Index crossings = 0;    ///< with the cell's edges
+  Index kept = 0;         ///< of these the ones that will be hits
+  Index inner = 0;        ///< of these the ones that are known to bound nothing
+  LatticeBox bounds;      ///< rounded outwards
+  int rims = 0;           ///< connected parts of the surface's rim in it
+  bool is_inner = false;  ///< it is known to bound nothing in the cell
+  unsigned edges = 0;     ///< bit e is set if the piece crosses edge e of the cell
 
   /// Tells whether all of the piece's crossings lie on one edge of the cell.
   bool hangs_on_one_edge() const { return edges != 0 && (edges & (edges - 1)) == 0; }
+  /// Tells whether the piece bounds nothing as far as its crossings show.
+  bool seems_inner() const { return crossings > 0 && inner == crossings; }
 };
 
 /// The pieces of one cell. One object serves cell after cell.
@@ -50,16 +51,25 @@ class CellPieces {
   PieceId piece_of(MemberId member) const { return piece_of_[member]; }
   /// Returns the sides on the surface's rim that meet the cell.
   std::span<const SideId> rim_sides() const { return groups_.rim_sides(); }
-  /// Tells whether every piece is a disk or half-disk that reaches the cell's edges.
+  /// Tells whether every piece that bounds the solid is a disk or half-disk that reaches the cell's
+  /// edges.
   bool are_disks() const;
+  /// Notes of a piece that it bounds nothing in the cell.
+  void set_inner(PieceId piece) { pieces_[piece].is_inner = true; }
+  bool some_are_inner() const { return bounding_ != pieces_.size(); }
+  /// Counts again without the pieces that bound nothing; to be called after the last `set_inner`.
+  void leave_inner_out(const CellTriangles& triangles);
 
  private:
+  void count(const CellTriangles& triangles);
+
   VertexCounter vertices_;
   MemberGroups groups_;
-  std::vector<MemberId> all_members_;
-  std::vector<PieceId> piece_of_;  // per member
+  std::vector<MemberId> all_members_;  // that are counted
+  std::vector<PieceId> piece_of_;      // per member
   std::vector<Piece> pieces_;
-  std::int64_t euler_characteristic_ = 0;
+  std::int64_t euler_characteristic_ = 0;  // of the pieces that bound the solid
+  Index bounding_ = 0;                     // how many these are
 };
 
 }  // namespace kdm

@@ -45,22 +45,23 @@ bool members_cross(const CellTriangles& triangles, MemberId i, MemberId j) {
          reaches_plane(clip_to_box(surface.triangles[b], cell), surface.planes[a]);
 }
 
-bool exist_by_tree(const CellTriangles& triangles) {
-  std::vector<Box> boxes;
-  boxes.reserve(triangles.size());
-  for (MemberId m = 0; m < triangles.size(); ++m) {
-    boxes.push_back({to_vec3(triangles.bounds(m).lo), to_vec3(triangles.bounds(m).hi)});
-  }
-  bool cross = false;
-  BoxTree(boxes).for_each_pair(
-      [&](MemberId i, MemberId j) { cross = cross || members_cross(triangles, i, j); });
-  return cross;
-}
-
 }  // namespace
 
-bool CrossingTriangles::exist_in(const CellTriangles& triangles) {
-  if (triangles.size() > kMaxSweepMembers) return exist_by_tree(triangles);
+// Calls `visit(i, j)` for two members that cross, until it returns true.
+template <typename Visit>
+void CrossingTriangles::for_each_crossing(const CellTriangles& triangles, const Visit& visit) {
+  if (triangles.size() > kMaxSweepMembers) {
+    std::vector<Box> boxes;
+    boxes.reserve(triangles.size());
+    for (MemberId m = 0; m < triangles.size(); ++m) {
+      boxes.push_back({to_vec3(triangles.bounds(m).lo), to_vec3(triangles.bounds(m).hi)});
+    }
+    bool enough = false;
+    BoxTree(boxes).for_each_pair([&](MemberId i, MemberId j) {
+      enough = enough || (members_cross(triangles, i, j) && visit(i, j));
+    });
+    return;
+  }
   const int axis = longest_axis(triangles.cell());
   by_lower_bound_.clear();
   for (MemberId m = 0; m < triangles.size(); ++m) {
@@ -72,10 +73,26 @@ bool CrossingTriangles::exist_in(const CellTriangles& triangles) {
     for (std::size_t j = i + 1; j < by_lower_bound_.size(); ++j) {
       const std::uint64_t other = by_lower_bound_[j];
       if (first_of_pair(other) > triangles.bounds(first).hi[axis]) break;
-      if (members_cross(triangles, first, second_of_pair(other))) return true;
+      const MemberId second = second_of_pair(other);
+      if (members_cross(triangles, first, second) && visit(first, second)) return;
     }
   }
-  return false;
+}
+
+bool CrossingTriangles::exist_in(const CellTriangles& triangles) {
+  bool exist = false;
+  for_each_crossing(triangles, [&](MemberId, MemberId) { return exist = true; });
+  return exist;
+}
+
+const Marks& CrossingTriangles::find_all(const CellTriangles& triangles) {
+  crossing_.assign(triangles.size());
+  for_each_crossing(triangles, [&](MemberId i, MemberId j) {
+    crossing_.set(i);
+    crossing_.set(j);
+    return false;
+  });
+  return crossing_;
 }
 
 }  // namespace kdm

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "mesh/marks.h"
 #include "split/cell_triangles.h"
 
 namespace kdm {
@@ -17,7 +18,15 @@ class CrossingTriangles {
   /// where members are many.
   bool exist_in(const CellTriangles& triangles);
 
+  /// Finds every member that crosses or touches another one within the cell, in the same way.
+  /// Returns marks per member.
+  const Marks& find_all(const CellTriangles& triangles);
+
  private:
+  template <typename Visit>
+  void for_each_crossing(const CellTriangles& triangles, const Visit& visit);
+
+  Marks crossing_;
   std::vector<std::uint64_t> by_lower_bound_;  // along the axis of the sweep, with the member
 };
 

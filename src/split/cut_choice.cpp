@@ -14,6 +14,8 @@ constexpr double kTopologyFloor = 1.0 / 8;
 // in a leaf need vertices that differ in 32 bits, for which slabs of a few lattice units are too
 // thin.
 constexpr double kMinCutWidth = 1.0 / 32;
+// But where the input is embedded, topology is pursued down to a few lattice units.
+constexpr std::int32_t kFinestCutWidth = 4;
 // Cells that are thinner than 1/128 of the tolerance are not cut across that axis for topology:
 // where the input is not embedded a curve may stay closed however often it is cut.
 constexpr double kThinWidth = 1.0 / 128;
@@ -70,15 +72,17 @@ std::optional<Split> CutChoice::split_for_fit(const CellView& cell) {
   if (position_ == CutPosition::kFeature) {
     if (const std::optional<Split> split = features_.propose(cell.box, cell.entries)) return split;
   }
-  return halve_longest(cell);
+  return halve_longest(cell, min_cut_width_);
 }
 
 std::optional<Split> CutChoice::split_for_topology(const CellView& cell,
                                                    const CellSurface& surface_in_cell,
                                                    const TopologyFault& fault,
-                                                   const std::optional<Split>& between_parts) {
-  if (is_below_topology_floor(surface_in_cell)) return std::nullopt;
-  if (between_parts && cell.depth < max_depth_ && has_room(cell.box, *between_parts)) {
+                                                   const std::optional<Split>& between_parts,
+                                                   TopologyFloor floor) {
+  const bool fine = floor == TopologyFloor::kAtLattice;
+  const std::int32_t min_width = fine ? kFinestCutWidth : min_cut_width_;
+  if (between_parts && cell.depth < max_depth_ && has_room(cell.box, *between_parts, min_width)) {
     return between_parts;
   }
   const LatticeBox region = region_of(surface_in_cell, fault);
@@ -86,8 +90,8 @@ std::optional<Split> CutChoice::split_for_topology(const CellView& cell,
   // A spike of an open surface has two rims at any size: it would be followed to its tip.
   if (surface_.has_rims() && extent(region, axis) < topology_floor_) return std::nullopt;
   if (position_ == CutPosition::kInTurn) return split_for_fit(cell);
-  if (extent(cell.box, axis) < thin_width_) return halve_longest(cell);
-  return split_at(cell, axis, region.lo[axis] + extent(region, axis) / 2);
+  if (!fine && extent(cell.box, axis) < thin_width_) return halve_longest(cell, min_width);
+  return split_at(cell, axis, region.lo[axis] + extent(region, axis) / 2, min_width);
 }
 
 // At the rim of a surface that is to be closed, what closes it may lie as far off as the tolerance,
@@ -98,27 +102,27 @@ bool CutChoice::is_below_topology_floor(const CellSurface& surface_in_cell) cons
   return extent(box, longest_axis(box)) < (at_rim ? tolerance_ : topology_floor_);
 }
 
-std::optional<Split> CutChoice::halve_longest(const CellView& cell) const {
+std::optional<Split> CutChoice::halve_longest(const CellView& cell, std::int32_t min_width) const {
   const int axis = longest_axis(cell.box);
-  return split_at(cell, axis, cell.box.lo[axis] + extent(cell.box, axis) / 2);
+  return split_at(cell, axis, cell.box.lo[axis] + extent(cell.box, axis) / 2, min_width);
 }
 
 // Splits across the axis, or across the longest one if the cell is too thin, as near to the value
 // as the least width of cuts allows.
-std::optional<Split> CutChoice::split_at(const CellView& cell, int axis, std::int32_t value) const {
+std::optional<Split> CutChoice::split_at(const CellView& cell, int axis, std::int32_t value,
+                                         std::int32_t min_width) const {
   if (cell.depth >= max_depth_) return std::nullopt;
   const LatticeBox& box = cell.box;
-  if (extent(box, axis) < 2 * min_cut_width_) {
+  if (extent(box, axis) < 2 * min_width) {
     axis = longest_axis(box);
-    if (extent(box, axis) < 2 * min_cut_width_) return std::nullopt;
+    if (extent(box, axis) < 2 * min_width) return std::nullopt;
   }
-  return Split{axis,
-               std::clamp(value, box.lo[axis] + min_cut_width_, box.hi[axis] - min_cut_width_)};
+  return Split{axis, std::clamp(value, box.lo[axis] + min_width, box.hi[axis] - min_width)};
 }
 
-bool CutChoice::has_room(const LatticeBox& box, const Split& split) const {
-  return split.value - box.lo[split.axis] >= min_cut_width_ &&
-         box.hi[split.axis] - split.value >= min_cut_width_;
+bool CutChoice::has_room(const LatticeBox& box, const Split& split, std::int32_t min_width) {
+  return split.value - box.lo[split.axis] >= min_width &&
+         box.hi[split.axis] - split.value >= min_width;
 }
 
 // Returns the box through whose middle, across its longest axis, the cell is split.

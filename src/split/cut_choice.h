@@ -11,6 +11,12 @@
 
 namespace kdm {
 
+/// Down to which size cells are split for topology.
+enum class TopologyFloor {
+  kAtTolerance,  ///< cuts keep a fraction of the tolerance away from the sides of cells
+  kAtLattice     ///< a few lattice units are enough
+};
+
 /// Chooses splits, within limits of depth and width. All lengths are lattice units.
 class CutChoice {
  public:
@@ -23,18 +29,20 @@ class CutChoice {
 
   /// Returns the split of a cell whose topology has a fault: the plane between small parts if one
   /// is given and has room, else a plane through the middle of what is at fault. Returns nothing if
-  /// the cell is below the topology floor, at the greatest depth or too thin.
+  /// the cell is at the greatest depth or too thin.
   std::optional<Split> split_for_topology(const CellView& cell, const CellSurface& surface_in_cell,
                                           const TopologyFault& fault,
-                                          const std::optional<Split>& between_parts);
+                                          const std::optional<Split>& between_parts,
+                                          TopologyFloor floor);
 
   /// Tells whether the cell is so small that faults of its topology are left in it.
   bool is_below_topology_floor(const CellSurface& surface_in_cell) const;
 
  private:
-  std::optional<Split> halve_longest(const CellView& cell) const;
-  std::optional<Split> split_at(const CellView& cell, int axis, std::int32_t value) const;
-  bool has_room(const LatticeBox& box, const Split& split) const;
+  std::optional<Split> halve_longest(const CellView& cell, std::int32_t min_width) const;
+  std::optional<Split> split_at(const CellView& cell, int axis, std::int32_t value,
+                                std::int32_t min_width) const;
+  static bool has_room(const LatticeBox& box, const Split& split, std::int32_t min_width);
   LatticeBox region_of(const CellSurface& surface_in_cell, const TopologyFault& fault) const;
   LatticeBox region_without_disks(const CellSurface& surface_in_cell) const;
 

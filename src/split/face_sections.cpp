@@ -27,14 +27,26 @@ std::optional<ClosedCurve> FaceSections::find_on_face(const CellSurface& cell, i
   for (MemberId m = 0; m < triangles.size(); ++m) {
     const LatticeBox& bounds = triangles.bounds(m);
     const bool reaches = high ? bounds.hi[axis] == box.hi[axis] : bounds.lo[axis] == box.lo[axis];
-    if (reaches && triangle_meets_box(triangles.corners(m), face)) on_face_.push_back(m);
+    if (!reaches || cell.pieces.all()[cell.pieces.piece_of(m)].is_inner) continue;
+    if (triangle_meets_box(triangles.corners(m), face)) on_face_.push_back(m);
   }
   if (on_face_.empty()) return std::nullopt;
   curves_.connect(triangles, on_face_, face);
-  const Index ends = cell.crossings.around_face[axis][high ? 1 : 0] +
-                     static_cast<Index>(curves_.rim_sides().size());
+  const Index ends = ends_around(cell, axis, high) + static_cast<Index>(curves_.rim_sides().size());
   if (curves_.count() == ends / 2 && !curve_joins_two_rims(triangles)) return std::nullopt;
   return closed_curve(cell, axis, high);
+}
+
+// Returns how many crossings of pieces that bound the solid lie around the face.
+Index FaceSections::ends_around(const CellSurface& cell, int axis, bool high) {
+  if (!cell.pieces.some_are_inner()) return cell.crossings.around_face[axis][high ? 1 : 0];
+  Index ends = 0;
+  for (const CellCrossing& crossing : cell.crossings.all) {
+    if (!edge_bounds_face(crossing.edge, axis, high)) continue;
+    const PieceId piece = cell.piece_of_triangle(crossing.triangle);
+    if (piece == kNone || !cell.pieces.all()[piece].is_inner) ++ends;
+  }
+  return ends;
 }
 
 // Returns the first curve on the face that has no end. Where each has one, which happens where a

@@ -30,6 +30,7 @@ class FaceSections {
 
  private:
   std::optional<ClosedCurve> find_on_face(const CellSurface& cell, int axis, bool high);
+  static Index ends_around(const CellSurface& cell, int axis, bool high);
   bool curve_joins_two_rims(const CellTriangles& triangles);
   ClosedCurve closed_curve(const CellSurface& cell, int axis, bool high);
   LatticeBox section_bounds(const CellTriangles& triangles, MemberId curve, int axis,

@@ -37,6 +37,7 @@ bool FitCheck::is_clear_misfit(const LatticeBox& box, std::span<const ListEntry>
 bool FitCheck::pieces_fit(const CellSurface& cell, LeafVertices vertices) {
   hits_.assign_pieces(cell);
   const std::span<const Piece> pieces = cell.pieces.all();
+  if (vertices == LeafVertices::kOneForAll && hits_.empty()) return nothing_bounds(cell);
   for (PieceId i = 0; i < pieces.size(); ++i) {
     if (pieces[i].kept == 0) continue;
     const bool one_for_all = vertices == LeafVertices::kOneForAll;
@@ -46,13 +47,28 @@ bool FitCheck::pieces_fit(const CellSurface& cell, LeafVertices vertices) {
   return corners_meet_planes(cell, vertices);
 }
 
+// Tells whether the member may bound the solid. Where nobody looked at the triangles, pieces
+// without hits count as inner.
+bool FitCheck::bounds_solid(const CellSurface& cell, MemberId member) {
+  if (cell.is_inner(member)) return false;
+  return !cell.inner.empty() || cell.pieces.all()[cell.pieces.piece_of(member)].kept > 0;
+}
+
+bool FitCheck::nothing_bounds(const CellSurface& cell) {
+  for (MemberId m = 0; m < cell.triangles.size(); ++m) {
+    if (bounds_solid(cell, m)) return false;
+  }
+  return true;
+}
+
 bool FitCheck::corners_meet_planes(const CellSurface& cell, LeafVertices vertices) {
   for (MemberId m = 0; m < cell.triangles.size(); ++m) {
-    const PieceId own = cell.pieces.piece_of(m);
-    if (cell.pieces.all()[own].kept == 0) continue;
-    const PieceId piece = vertices == LeafVertices::kOneForAll ? kAllPieces : own;
+    if (!bounds_solid(cell, m)) continue;
+    const PieceId piece =
+        vertices == LeafVertices::kOneForAll ? kAllPieces : cell.pieces.piece_of(m);
     const ClippedPolygon part = clip_to_box(cell.triangles.corners(m), cell.triangles.cell());
     for (int i = 0; i < part.size; ++i) {
+      if (cell.is_inner_at(m, i)) continue;
       if (!hits_.meets_a_plane(part.corners[i], piece, tolerance_)) return false;
     }
   }
@@ -64,16 +80,15 @@ bool FitCheck::piece_fits_vertex(const CellSurface& cell, PieceId piece) {
   find_rim(cell, piece);
   const LatticeBox& box = cell.triangles.cell();
   const Vec3 vertex = planned_vertex(box, piece);
-  return is_near_planes(vertex) && is_near_triangles(vertex) && is_near_sharp_edge(vertex, box);
+  return is_near_planes(vertex) && is_near_triangles(vertex) && is_near_sharp_edge(vertex, cell);
 }
 
 // Finds the triangles that the piece's vertex will stand for.
 void FitCheck::find_triangles(const CellSurface& cell, PieceId piece) {
   triangles_.clear();
   for (MemberId m = 0; m < cell.triangles.size(); ++m) {
-    const PieceId own = cell.pieces.piece_of(m);
-    const bool shares = piece == kAllPieces || own == piece;
-    if (shares && cell.pieces.all()[own].kept > 0) triangles_.push_back(cell.triangles.triangle(m));
+    const bool shares = piece == kAllPieces || cell.pieces.piece_of(m) == piece;
+    if (shares && bounds_solid(cell, m)) triangles_.push_back(cell.triangles.triangle(m));
   }
 }
 
@@ -134,18 +149,20 @@ bool FitCheck::is_near_triangles(const Vec3& vertex) const {
 
 // A vertex within the tolerance of two faces may be further from the edge between them. Tells
 // whether the vertex is near a sharp edge of the piece, or beside none.
-bool FitCheck::is_near_sharp_edge(const Vec3& vertex, const LatticeBox& box) const {
+bool FitCheck::is_near_sharp_edge(const Vec3& vertex, const CellSurface& cell) const {
   const double limit = kSharpEdgeShare * tolerance_;
   bool beside = false;
   for (const TriangleId triangle : triangles_) {
     for (int i = 0; i < 3; ++i) {
       const SideId opposite = surface_.topology.opposite[3 * triangle + static_cast<Index>(i)];
       if (opposite == kNone) continue;
+      const MemberId neighbour = cell.triangles.member_of(triangle_of(opposite));
+      if (neighbour != kNone && cell.is_inner(neighbour)) continue;
       const Vec3& normal = surface_.planes[triangle].normal;
       if (normal.dot(surface_.planes[triangle_of(opposite)].normal) >= kSharpCosine) continue;
       const LatticePoint& a = surface_.triangles[triangle][i];
       const LatticePoint& b = surface_.triangles[triangle][next_corner(i)];
-      if (!edge_meets_box(a, b, box)) continue;
+      if (!edge_meets_box(a, b, cell.triangles.cell())) continue;
       const Vec3 along = to_vec3(b) - to_vec3(a);
       const double foot = along.dot(vertex - to_vec3(a)) / along.squaredNorm();
       if (foot < 0 || foot > 1) continue;

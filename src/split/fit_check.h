@@ -50,13 +50,15 @@ class FitCheck {
 
  private:
   bool piece_fits_vertex(const CellSurface& cell, PieceId piece);
+  static bool bounds_solid(const CellSurface& cell, MemberId member);
+  static bool nothing_bounds(const CellSurface& cell);
   bool corners_meet_planes(const CellSurface& cell, LeafVertices vertices);
   void find_triangles(const CellSurface& cell, PieceId piece);
   void find_rim(const CellSurface& cell, PieceId piece);
   Vec3 planned_vertex(const LatticeBox& box, PieceId piece) const;
   bool is_near_planes(const Vec3& vertex) const;
   bool is_near_triangles(const Vec3& vertex) const;
-  bool is_near_sharp_edge(const Vec3& vertex, const LatticeBox& box) const;
+  bool is_near_sharp_edge(const Vec3& vertex, const CellSurface& cell) const;
 
   const Surface& surface_;
   double tolerance_;

@@ -110,19 +110,44 @@ std::optional<Split> midpoint_in_turn(const LatticeBox& box, int depth) {
   return Split{axis, value};
 }
 
-std::unique_ptr<SplitRule> make_split_rule(const Surface& surface, const BuildOptions& options,
-                                           double tolerance, int depth) {
+std::int32_t off_gaps(const CellView& cell, const Split& split) {
+  constexpr int kTries = 4;
+  std::int32_t value = split.value;
+  for (int i = 0; i < kTries; ++i) {
+    const std::int32_t before = value;
+    for (int e = 4 * split.axis; e < 4 * split.axis + 4; ++e) {
+      const EdgeRange edge = cell.edges[e];
+      for (Index c = edge.begin; c + 1 < edge.end; ++c) {
+        if (cell.crossings[c].role() != CrossingRole::kGap || !cell.crossings[c].leaving())
+          continue;
+        const std::int32_t low = floor_of(cell.crossings[c].position());
+        Index other = c + 1;
+        while (cell.crossings[other].role() != CrossingRole::kGap) ++other;
+        const std::int32_t high = floor_of(cell.crossings[other].position()) + 1;
+        // A crossing lies above the plane of its floor.
+        if (value > low && value < high) value = value - low < high - value ? low : high;
+      }
+    }
+    if (value == before) break;
+  }
+  const bool fits = value > cell.box.lo[split.axis] && value < cell.box.hi[split.axis];
+  return fits ? value : split.value;
+}
+
+std::unique_ptr<SplitRule> make_split_rule(const Surface& surface, const InsideModel& model,
+                                           const BuildOptions& options, double tolerance,
+                                           int depth) {
   switch (options.strategy) {
     case SplitStrategy::kUniform:
       return std::make_unique<UniformRule>(depth);
     case SplitStrategy::kMedian:
       return std::make_unique<MedianRule>(surface, depth);
     case SplitStrategy::kOctree:
-      return make_adaptive_rule(surface, tolerance, depth, CutPosition::kInTurn);
+      return make_adaptive_rule(surface, model, tolerance, depth, CutPosition::kInTurn);
     case SplitStrategy::kFeature:
-      return make_adaptive_rule(surface, tolerance, depth, CutPosition::kFeature);
+      return make_adaptive_rule(surface, model, tolerance, depth, CutPosition::kFeature);
     case SplitStrategy::kAdaptive:
-      return make_adaptive_rule(surface, tolerance, depth, CutPosition::kHalving);
+      return make_adaptive_rule(surface, model, tolerance, depth, CutPosition::kHalving);
   }
   return nullptr;
 }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "inside/crossing.h"
+#include "inside/inside_model.h"
 #include "kdmanifold/build.h"
 #include "mesh/numbers.h"
 #include "prepare/surface.h"
@@ -53,6 +54,7 @@ struct CellView {
   RuleRange range;                     ///< the rule's own range for the cell, from `divide`
   const CellEdges& edges;              ///< which of `crossings` lie on the edges of the cell
   const std::vector<ClassifiedCrossing>& crossings;  ///< all that were found so far in the grid
+  int state = 0;                                     ///< the inside model's, at the lowest corner
 };
 
 /// Decides for each cell where it is split. One object serves the whole construction of a grid; it
@@ -79,6 +81,10 @@ class SplitRule {
 /// is one lattice unit wide along that axis.
 std::optional<Split> midpoint_in_turn(const LatticeBox& box, int depth);
 
+/// Returns the value of the split, moved off the gaps on the cell's edges: a grid vertex in a gap
+/// would keep it open. Where there is no room it stays.
+std::int32_t off_gaps(const CellView& cell, const Split& split);
+
 /// Says where the adaptive rule splits a cell whose surface does not fit.
 enum class CutPosition {
   kHalving,  ///< in the middle of the cell's longest extent
@@ -87,14 +93,15 @@ enum class CutPosition {
 };
 
 /// Makes the rule that `options.strategy` names. `tolerance` is in lattice units; cells at depth
-/// `depth` are not split. The rule keeps a reference to the surface.
-std::unique_ptr<SplitRule> make_split_rule(const Surface& surface, const BuildOptions& options,
-                                           double tolerance, int depth);
+/// `depth` are not split. The rule keeps references to the surface and to the model.
+std::unique_ptr<SplitRule> make_split_rule(const Surface& surface, const InsideModel& model,
+                                           const BuildOptions& options, double tolerance,
+                                           int depth);
 
 /// Makes the adaptive rule. It splits cells until the surface in each is met within `tolerance`
-/// (lattice units) and keeps its topology, but no cells at depth `depth`. The rule keeps a
-/// reference to the surface.
-std::unique_ptr<SplitRule> make_adaptive_rule(const Surface& surface, double tolerance, int depth,
-                                              CutPosition position);
+/// (lattice units) and keeps its topology, but no cells at depth `depth`. The rule keeps references
+/// to the surface and to the model.
+std::unique_ptr<SplitRule> make_adaptive_rule(const Surface& surface, const InsideModel& model,
+                                              double tolerance, int depth, CutPosition position);
 
 }  // namespace kdm

@@ -7,10 +7,9 @@ namespace kdm {
 
 std::optional<TopologyFault> TopologyCheck::find_fault(const CellSurface& cell) {
   const std::span<const Piece> pieces = cell.pieces.all();
-  const bool all_internal = std::all_of(pieces.begin(), pieces.end(), [](const Piece& piece) {
-    return piece.crossings > 0 && piece.kept == 0;
-  });
-  if (all_internal) return std::nullopt;
+  if (std::all_of(pieces.begin(), pieces.end(), [](const Piece& p) { return p.is_inner; })) {
+    return std::nullopt;
+  }
   const bool disks = cell.pieces.are_disks();
   // A closed curve says best where to cut. On open surfaces curves may end on the rim of a piece
   // that is no half-disk; then the piece is the fault.

@@ -34,8 +34,7 @@ class TopologyCheck {
       : open_surface_(has_open_sides(surface)), pillows_(surface) {}
 
   /// Returns the first fault of the cell, if it has any. The cell's pieces must have been found.
-  /// Cells all of whose pieces lie within another shell, or outside of the solid, have none: these
-  /// pieces bound nothing.
+  /// Pieces that bound nothing have none.
   std::optional<TopologyFault> find_fault(const CellSurface& cell);
 
  private:

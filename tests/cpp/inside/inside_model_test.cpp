@@ -190,13 +190,13 @@ TEST(InsideModel, OnlyTheOracleCountsWork) {
 }
 
 TEST(ClassifiedCrossing, HoldsWhatItIsGiven) {
-  const ClassifiedCrossing last(~LinePosition{0}, (1u << 30) - 2, -7, true, false);
+  const ClassifiedCrossing last(~LinePosition{0}, (1u << 30) - 2, -7, CrossingRole::kBounds, false);
   EXPECT_EQ(last.position(), ~LinePosition{0});
   EXPECT_EQ(last.triangle(), (1u << 30) - 2);
   EXPECT_EQ(last.state_after(), -7);
   EXPECT_TRUE(last.kept());
   EXPECT_FALSE(last.leaving());
-  const ClassifiedCrossing invented(5, kNone, 1, false, true);
+  const ClassifiedCrossing invented(5, kNone, 1, CrossingRole::kInner, true);
   EXPECT_EQ(invented.triangle(), kNone);
   EXPECT_FALSE(invented.kept());
   EXPECT_TRUE(invented.leaving());

@@ -34,7 +34,8 @@ std::string kept(const std::vector<std::pair<char, LinePosition>>& input, Inside
 
 TEST(Winding, NothingToWalk) {
   std::vector<Crossing> none;
-  std::vector<ClassifiedCrossing> classified(3, ClassifiedCrossing(1, 2, 3, true, false));
+  std::vector<ClassifiedCrossing> classified(
+      3, ClassifiedCrossing(1, 2, 3, CrossingRole::kBounds, false));
   EXPECT_EQ(classify_crossings(none, 2, InsideRule::kPositive, classified), 2);
   EXPECT_EQ(classified.size(), 3u) << "what was there before stays";
 }
@@ -113,6 +114,30 @@ TEST(Winding, OfSeveralAtOnePositionTheFirstThatFitsIsKept) {
   classified.clear();
   classify_crossings(reversed, 0, InsideRule::kPositive, classified);
   for (const ClassifiedCrossing& c : classified) EXPECT_EQ(c.kept(), c.triangle() == 2);
+}
+
+// The roles of all crossings: b bounds, i inner, t touching, g gap.
+std::string roles(const std::vector<std::pair<char, LinePosition>>& input) {
+  std::vector<Crossing> crossings;
+  for (const auto& [direction, position] : input) {
+    crossings.push_back({position, static_cast<Index>(crossings.size()), direction == '>'});
+  }
+  std::vector<ClassifiedCrossing> classified;
+  classify_crossings(crossings, 0, InsideRule::kPositive, classified);
+  std::string text;
+  for (const ClassifiedCrossing& c : classified) text += "bitg"[static_cast<int>(c.role())];
+  return text;
+}
+
+TEST(Winding, WhereTwoSolidsMeetTheWallBetweenThemIsInner) {
+  EXPECT_EQ(roles({{'<', 1}, {'>', 5}, {'<', 5}, {'>', 9}}), "biib");
+}
+
+// The apex of a double cone on a grid edge bounds the solid beside the edge.
+TEST(Winding, WhereASolidHasNoWidthItTouches) { EXPECT_EQ(roles({{'<', 5}, {'>', 5}}), "tt"); }
+
+TEST(Winding, ANestedShellIsInner) {
+  EXPECT_EQ(roles({{'<', 1}, {'<', 3}, {'>', 5}, {'>', 9}}), "biib");
 }
 
 bool inside(InsideRule rule, int winding) {

@@ -38,7 +38,8 @@ std::optional<Split> split_for_topology(const CellScene& scene, CutChoice& cuts,
                                         const std::optional<Split>& between_parts = {}) {
   const auto fault = TopologyCheck(scene.surface).find_fault(scene.surface_in_cell);
   EXPECT_TRUE(fault);
-  return cuts.split_for_topology(scene.view(), scene.surface_in_cell, *fault, between_parts);
+  return cuts.split_for_topology(scene.view(), scene.surface_in_cell, *fault, between_parts,
+                                 TopologyFloor::kAtTolerance);
 }
 
 TEST(CutChoice, HalvesTheLongestExtent) {
@@ -136,8 +137,23 @@ TEST(CutChoice, APlaneBetweenPartsComesFirstWhereItHasRoom) {
   EXPECT_EQ(axis_of(19), 0) << "the bar is cut instead";
 }
 
-// Faults are left in cells whose longest extent is below 1/8 of the tolerance.
-TEST(CutChoice, SmallCellsKeepTheirFaults) {
+// Whatever is asked, cuts keep away from the sides of cells: by 1/32 of the tolerance, and by four
+// lattice units where the surface is embedded.
+TEST(CutChoice, EmbeddedTopologyIsCutFiner) {
+  const BarScene scene;
+  const auto fault = TopologyCheck(scene.surface).find_fault(scene.surface_in_cell);
+  ASSERT_TRUE(fault);
+  const double longest = extent(scene.box, longest_axis(scene.box));
+  CutChoice cuts(scene.surface, 20 * longest, kMaxDepth, CutPosition::kHalving);
+  const auto split_down_to = [&](TopologyFloor floor) {
+    return cuts.split_for_topology(scene.view(), scene.surface_in_cell, *fault, {}, floor);
+  };
+  EXPECT_FALSE(split_down_to(TopologyFloor::kAtTolerance));
+  EXPECT_TRUE(split_down_to(TopologyFloor::kAtLattice));
+}
+
+// Cells whose longest extent is below 1/8 of the tolerance.
+TEST(CutChoice, SmallCellsAreBelowTheFloor) {
   const BarScene scene;
   const double length = extent(scene.box, longest_axis(scene.box));
   CutChoice above(scene.surface, 7.9 * length, kMaxDepth, CutPosition::kHalving);
@@ -145,7 +161,6 @@ TEST(CutChoice, SmallCellsKeepTheirFaults) {
   EXPECT_TRUE(split_for_topology(scene, above));
   CutChoice below(scene.surface, 8.1 * length, kMaxDepth, CutPosition::kHalving);
   EXPECT_TRUE(below.is_below_topology_floor(scene.surface_in_cell));
-  EXPECT_FALSE(split_for_topology(scene, below));
 }
 
 }  // namespace

@@ -66,7 +66,7 @@ class CellScene {
           if (line_crosses(surface.triangles[t], axis, u, v) == 0) continue;
           const LinePosition position = crossing_position(surface.triangles[t], axis, u, v);
           if (floor_of(position) < box.lo[axis] || floor_of(position) >= box.hi[axis]) continue;
-          crossings_.emplace_back(position, t, 0, true, false);
+          crossings_.emplace_back(position, t, 0, CrossingRole::kBounds, false);
         }
         edge.end = static_cast<Index>(crossings_.size());
         std::sort(crossings_.begin() + edge.begin, crossings_.end(),

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// Gaps in the solid that are too narrow to be kept: where parts lie on each other, rounding to the
+// lattice moves their faces apart in some places and into each other in others. Such gaps are
+// closed, so that the contact looks the same all over.
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "grid/grid_data.h"
+#include "inside/crossing.h"
+#include "mesh/marks.h"
+#include "prepare/surface.h"
+
+namespace kdm {
+
+/// Returns the width of the widest gaps that are closed, in lattice units: a thirty-second of the
+/// tolerance, but no less than the four units by which rounding moves faces on each other apart.
+inline double widest_gap(double tolerance) { return std::max(4.0, tolerance / 32); }
+
+/// Says which gaps are closed, from the two crossings alone, so that all cells agree: those whose
+/// two sides face each other, not those at the bottom of a valley. Between two parts of the surface
+/// gaps up to `widest_gap` are closed, within one part gaps up to four lattice units.
+class GapRule {
+ public:
+  /// The tolerance is in lattice units. Keeps a reference to the surface.
+  GapRule(const Surface& surface, double tolerance);
+
+  /// Gives the role `kGap` to the crossings of one edge along `axis` that leave the solid and enter
+  /// it again, where the gap between them is closed. The crossings ascend along the edge.
+  void close(int axis, std::span<ClassifiedCrossing> edge) const;
+
+ private:
+  bool closes(int axis, const ClassifiedCrossing& leaving,
+              const ClassifiedCrossing& entering) const;
+
+  const Surface& surface_;
+  std::vector<Index> part_of_;  // per triangle; empty if there is one part
+  double widest_;
+};
+
+/// Finds the crossings of the role `kGap` between which a grid vertex lies. The vertex is outside,
+/// for all grid lines through it, so its gap has to stay open: both crossings become hits. Returns
+/// marks per crossing, or none at all if every gap can be closed. `boxes` come from `cell_boxes`.
+/// Takes time linear in the number of cells if some gap reaches across a lattice plane, else in
+/// that of the crossings.
+Marks find_open_gaps(const GridData& grid, const std::vector<LatticeBox>& boxes,
+                     const EdgeCrossings& planned);
+
+}  // namespace kdm
