@@ -24,11 +24,11 @@ export const sizes = [
   })),
 ];
 
-/** Builds kdm_bench, kdm_measure and kdm_figures and returns their folder. */
-export function buildTools() {
+/** Builds native tools, unless others are named kdm_bench, kdm_measure and kdm_figures; returns their folder. */
+export function buildTools(targets = ['kdm_bench', 'kdm_measure', 'kdm_figures']) {
   setup('native', 'test');
   cmake('build/bench', ['CMAKE_BUILD_TYPE=Release', 'KDM_BUILD_BENCH=ON', 'KDM_BUILD_CLI=OFF'], {
-    targets: ['kdm_bench', 'kdm_measure', 'kdm_figures'],
+    targets,
   });
   return join(root, 'build/bench/tests/bench');
 }
