@@ -46,6 +46,13 @@ double diagonal(const LatticeBox& box) {
   return std::sqrt(sum);
 }
 
+// Returns how many splits the topology below the floor may take. A tolerance wider than the whole
+// surface asks for nothing of it.
+std::size_t budget_of_fine_splits(const Surface& surface, double tolerance) {
+  if (tolerance * surface.lattice.step > surface.extent) return 0;
+  return kFineSplits + kFineSplitsPerTriangle * surface.triangles.size();
+}
+
 class AdaptiveRule : public SplitRule {
  public:
   AdaptiveRule(const Surface& surface, const InsideModel& model, double tolerance, int max_depth,
@@ -62,7 +69,7 @@ class AdaptiveRule : public SplitRule {
         contact_points_(surface),
         inner_triangles_(surface, model, widest_gap(tolerance)),
         cuts_(surface, tolerance_, max_depth, position),
-        fine_splits_left_(kFineSplits + kFineSplitsPerTriangle * surface.triangles.size()) {}
+        fine_splits_left_(budget_of_fine_splits(surface, tolerance)) {}
 
   std::optional<Split> choose(const CellView& cell) override {
     std::optional<Split> split = choose_split(cell);
