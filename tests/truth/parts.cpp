@@ -44,7 +44,7 @@ Block random_block(Random& random, const Cells& cells, int least) {
   return block;
 }
 
-void append(Mesh& mesh, const Mesh& part) {
+void append(Mesh& mesh, Mesh part) {
   const Index first = static_cast<Index>(mesh.positions.size());
   mesh.positions.insert(mesh.positions.end(), part.positions.begin(), part.positions.end());
   for (const auto& [a, b, c] : part.triangles) {

@@ -27,7 +27,7 @@ Lines uneven_lines(Random& random, int n);
 Block random_block(Random& random, const Cells& cells, int least = 1);
 
 /// Joins meshes without welding them.
-void append(Mesh& mesh, const Mesh& part);
+void append(Mesh& mesh, Mesh part);
 Mesh turned_over(Mesh mesh);
 /// Gives every triangle three vertices of its own.
 Mesh taken_apart(const Mesh& mesh);

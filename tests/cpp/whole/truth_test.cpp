@@ -40,8 +40,8 @@ const std::vector<Share> kShares = {
     // The crease of a union.
     {"overlapping", 150, {kFar, kMissing}},
     {"touching", 150, {}},
-    // Contacts of many voxels in one place.
-    {"voxels", 30, {kFar, kMissing}},
+    // Contacts of many voxels in one place; one of 30 is seven tolerances off, and it is not said.
+    {"voxels", 30, {kFar, kMissing, kSilent}},
     {"spun", 200, {}},
     // What is thinner than the tolerance.
     {"thin", 60, {kFar, kMissing, kSilent}},
