@@ -68,6 +68,20 @@ inline std::pair<const FaceEdge&, const FaceEdge&> long_sides(const MinimalFace&
   return {strip.edges[first], strip.edges[first + 2]};
 }
 
+/// Calls `visit(vertex)` for the four corners of the face, which are grid vertices.
+template <typename Visit>
+void for_each_corner(const MinimalFace& face, const Visit& visit) {
+  LatticePoint p;
+  p[face.axis] = face.plane;
+  for (const std::int32_t u : {face.lo(0), face.hi(0)}) {
+    p[next_axis(face.axis)] = u;
+    for (const std::int32_t v : {face.lo(1), face.hi(1)}) {
+      p[previous_axis(face.axis)] = v;
+      visit(p);
+    }
+  }
+}
+
 /// A hit on this edge has one half-edge that crosses the face. Returns whether this half-edge
 /// starts in the leaf below the face; if not, it starts in the leaf above. `reversed` tells whether
 /// the hit is reversed (see `Hit::reversed`).

@@ -67,6 +67,14 @@ class ClassifiedCrossing {
 };
 static_assert(sizeof(ClassifiedCrossing) == 12);
 
+/// Returns the number of the crossing at which a gap ends that begins with crossing `leaving`: the
+/// next one of the role `kGap`.
+inline Index end_of_gap(const std::vector<ClassifiedCrossing>& crossings, Index leaving) {
+  Index entering = leaving + 1;
+  while (crossings[entering].role() != CrossingRole::kGap) ++entering;
+  return entering;
+}
+
 /// The crossings of all splitting edges that were made so far. Those of one edge are consecutive
 /// and ascend along it.
 struct EdgeCrossings {

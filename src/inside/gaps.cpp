@@ -42,8 +42,7 @@ std::vector<Gap> find_gaps(const GridData& grid, const std::vector<LatticeBox>& 
     const Index end = planned.edge_begin[edge.number + 1];
     for (Index c = planned.edge_begin[edge.number]; c < end; ++c) {
       if (planned.all[c].role() != CrossingRole::kGap || !planned.all[c].leaving()) continue;
-      Index other = c + 1;
-      while (planned.all[other].role() != CrossingRole::kGap) ++other;
+      const Index other = end_of_gap(planned.all, c);
       // A crossing lies above the plane of its floor.
       const std::int32_t first = floor_of(planned.all[c].position()) + 1;
       const std::int32_t last = floor_of(planned.all[other].position());
@@ -100,21 +99,13 @@ Marks find_open_gaps(const GridData& grid, const std::vector<LatticeBox>& boxes,
       if (gap->first > vertex[axis] || gap->last < vertex[axis]) continue;
       if (open.empty()) open.assign(planned.all.size());
       open.set(gap->crossing);
-      Index other = gap->crossing + 1;
-      while (planned.all[other].role() != CrossingRole::kGap) ++other;
-      open.set(other);
+      open.set(end_of_gap(planned.all, gap->crossing));
     }
   };
   for_each_face_or_empty(grid, boxes, [&](const MinimalFace& face) {
-    LatticePoint p;
-    p[face.axis] = face.plane;
-    for (const std::int32_t u : {face.lo(0), face.hi(0)}) {
-      p[next_axis(face.axis)] = u;
-      for (const std::int32_t v : {face.lo(1), face.hi(1)}) {
-        p[previous_axis(face.axis)] = v;
-        for (int axis = 0; axis < 3; ++axis) open_at(p, axis);
-      }
-    }
+    for_each_corner(face, [&](const LatticePoint& p) {
+      for (int axis = 0; axis < 3; ++axis) open_at(p, axis);
+    });
   });
   return open;
 }

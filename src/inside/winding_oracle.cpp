@@ -76,15 +76,7 @@ WindingOracle::GridVertices WindingOracle::find_vertices(const GridData& grid,
                                                          const std::vector<LatticeBox>& boxes) {
   std::vector<std::uint64_t> points;
   for_each_face_or_empty(grid, boxes, [&](const MinimalFace& face) {
-    LatticePoint p;
-    p[face.axis] = face.plane;
-    for (const std::int32_t u : {face.lo(0), face.hi(0)}) {
-      p[next_axis(face.axis)] = u;
-      for (const std::int32_t v : {face.lo(1), face.hi(1)}) {
-        p[previous_axis(face.axis)] = v;
-        points.push_back(pack(p[0], p[1], p[2]));
-      }
-    }
+    for_each_corner(face, [&](const LatticePoint& p) { points.push_back(pack(p[0], p[1], p[2])); });
   });
   sort_numbers(points);
   points.erase(std::unique(points.begin(), points.end()), points.end());

@@ -121,8 +121,7 @@ std::int32_t off_gaps(const CellView& cell, const Split& split) {
         if (cell.crossings[c].role() != CrossingRole::kGap || !cell.crossings[c].leaving())
           continue;
         const std::int32_t low = floor_of(cell.crossings[c].position());
-        Index other = c + 1;
-        while (cell.crossings[other].role() != CrossingRole::kGap) ++other;
+        const Index other = end_of_gap(cell.crossings, c);
         const std::int32_t high = floor_of(cell.crossings[other].position()) + 1;
         // A crossing lies above the plane of its floor.
         if (value > low && value < high) value = value - low < high - value ? low : high;
