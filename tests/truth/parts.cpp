@@ -52,6 +52,16 @@ void append(Mesh& mesh, Mesh part) {
   }
 }
 
+Solid solid_of(std::string variant, Mesh input, const Cells& cells, double tolerance,
+               Random& random) {
+  Solid solid;
+  solid.variant = std::move(variant);
+  solid.input = std::move(input);
+  solid.account = account_of(cells, random);
+  solid.tolerance = tolerance;
+  return solid;
+}
+
 Mesh turned_over(Mesh mesh) {
   for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
   return mesh;

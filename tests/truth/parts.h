@@ -26,6 +26,9 @@ Lines uneven_lines(Random& random, int n);
 /// A random block of at least `least` cells a side.
 Block random_block(Random& random, const Cells& cells, int least = 1);
 
+/// Makes a solid of what the cells hold, with their account.
+Solid solid_of(std::string variant, Mesh input, const Cells& cells, double tolerance,
+               Random& random);
 /// Joins meshes without welding them.
 void append(Mesh& mesh, Mesh part);
 Mesh turned_over(Mesh mesh);

@@ -65,16 +65,6 @@ Lines lines_with_thin_layers(Random& random, double tolerance) {
   return lines;
 }
 
-Solid solid_of(std::string variant, Mesh input, const Cells& cells, double tolerance,
-               Random& random) {
-  Solid solid;
-  solid.variant = std::move(variant);
-  solid.input = std::move(input);
-  solid.account = account_of(cells, random);
-  solid.tolerance = tolerance;
-  return solid;
-}
-
 }  // namespace
 
 Solid make_thin(Random& random) {

@@ -7,16 +7,6 @@
 namespace kdm::truth {
 namespace {
 
-Solid solid_of(std::string variant, Mesh input, const Cells& cells, double tolerance,
-               Random& random) {
-  Solid solid;
-  solid.variant = std::move(variant);
-  solid.input = std::move(input);
-  solid.account = account_of(cells, random);
-  solid.tolerance = tolerance;
-  return solid;
-}
-
 // Blocks in each other. An outward part adds one to what winds round its inside; one that is
 // turned inwards takes one off, and is a cavity; where nothing is round it, it is meant to be
 // solid, and with it all within is turned over.
