@@ -35,7 +35,6 @@ inline val extract(const Grid& grid, val options, val progress) {
   return guard([&] {
     const ExtractedMesh mesh =
         kdm::extract(grid, to_options<ExtractOptions>(options), to_progress(progress));
-    check_not_empty(mesh);
     val to = from_mesh(mesh, "Float32Array");
     val report = from_report(mesh.report);
     report.set("warnings", from_warnings(mesh.warnings));

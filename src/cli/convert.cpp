@@ -105,7 +105,6 @@ void work(const Command& command, const Task& task, ProgressLine& progress, RunR
     report.seconds.build = watch.lap();
   }
   ExtractedMesh result = extract(grid, command.extract, progress.of("extracting"));
-  check_not_empty(result);
   round_to_single(result);
   report.seconds.extract = watch.lap();
   progress.show("writing");

@@ -87,7 +87,7 @@ DualMesh surface_of(const GridData& grid, const ExtractOptions& options, const P
   return mesh;
 }
 
-// Leaves parts out of a solid's mesh. Throws if none is left of an input that did not close.
+// Leaves parts out of a solid's mesh.
 void leave_parts_out(const GridData& grid, Parts wanted, ExtractedMesh& out) {
   const KeptParts kept = keep_parts(wanted, grid.tolerance * grid.lattice.step, out);
   out.report.dropped_parts = kept.dropped;
@@ -96,11 +96,19 @@ void leave_parts_out(const GridData& grid, Parts wanted, ExtractedMesh& out) {
   if (kept.dropped + kept.crumbs > 0 && out.report.crossings.value_or(0) > 0) {
     out.report.crossings = find_self_intersections(out).pairs;  // some went with the parts
   }
-  if (out.triangles.empty() && out.quads.empty() && !grid.hits.empty() && !grid.input.closed) {
+}
+
+// Throws if nothing is left, with what to do about it.
+void check_not_empty(const GridData& grid, const Mesh& out) {
+  if (!out.triangles.empty() || !out.quads.empty()) return;
+  if (!grid.sheet && !grid.hits.empty() && !grid.input.closed) {
     throw Error(ErrorCode::kNotClosed,
                 "the surface encloses nothing that is wider than the tolerance; thicken it, or "
                 "take it as a sheet");
   }
+  throw Error(ErrorCode::kEmptyResult,
+              "nothing of the surface is left: it is nowhere wider than the tolerance or the cells "
+              "of the grid; take a smaller tolerance or a greater depth, or thicken the surface");
 }
 
 double area_of(const Mesh& mesh) {
@@ -134,18 +142,12 @@ ExtractedMesh extract(const Grid& handle, const ExtractOptions& options,
   static_cast<Mesh&>(out) =
       emit(grid, mesh, normals, options.quads, options.strict == Strict::kEmbedded);
   if (!grid.sheet) leave_parts_out(grid, options.parts, out);
+  check_not_empty(grid, out);
   out.warnings = collect_warnings(grid.input, grid.stats, out.report, area_of(out));
   report_progress(progress, 1.0, "faces");
   return out;
 } catch (const std::bad_alloc&) {
   throw Error(ErrorCode::kOutOfMemory, "there is not enough memory to extract the surface");
-}
-
-void check_not_empty(const Mesh& mesh) {
-  if (!mesh.triangles.empty() || !mesh.quads.empty()) return;
-  throw Error(ErrorCode::kEmptyResult,
-              "nothing of the surface is left: it is nowhere wider than the tolerance or the cells "
-              "of the grid; take a smaller tolerance or a greater depth, or thicken the surface");
 }
 
 }  // namespace kdm

@@ -42,12 +42,14 @@ void demand_manifold(const Mesh& out, bool sheet) {
   demand(std::isfinite(result.volume), "the volume is finite");
 }
 
-// Of input that was repaired nothing may be left; that is an error.
+// Nothing may be left; that is an error.
 ExtractedMesh extract_if_any(const Grid& grid, const ExtractOptions& options) {
   try {
     return extract(grid, options);
   } catch (const Error& error) {
-    demand(error.code() == ErrorCode::kNotClosed && !grid.input().closed, error.what());
+    demand(error.code() == ErrorCode::kEmptyResult ||
+               (error.code() == ErrorCode::kNotClosed && !grid.input().closed),
+           error.what());
     return {};
   }
 }

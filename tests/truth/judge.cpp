@@ -10,6 +10,7 @@
 #include "kdmanifold/build.h"
 #include "kdmanifold/error.h"
 #include "kdmanifold/extract.h"
+#include "support/extract_any.h"
 #include "support/mesh_check.h"
 #include "support/random.h"
 #include "truth/near.h"
@@ -103,14 +104,14 @@ class Judgement {
 
   void look_at(const char* name, const Grid& grid, Strict strict) {
     const double start = seconds_now();
-    const ExtractedMesh result = extract(grid, {.strict = strict});
+    const ExtractedMesh result = check::extract_any(grid, {.strict = strict});
     verdict_.seconds += seconds_now() - start;
     words_ << name << ": " << result.triangles.size() << " triangles";
     for (const Warning& warning : result.warnings) words_ << ", " << warning.code;
     words_ << (verdict_.topology_resolved ? ", resolved" : "") << '\n';
     verdict_.warned = !result.warnings.empty();
     if (result.triangles.empty()) {
-      // Who hands results out ends with an error then, which is due where nothing is enclosed.
+      // That is an error, which is due where nothing is enclosed.
       if (solid_.account.volume == 0) return;
       verdict_.topology_right = false;
       fail(kMissing) << "nothing is left\n";

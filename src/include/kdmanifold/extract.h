@@ -101,14 +101,10 @@ struct ExtractedMesh : Mesh {
 /// Makes the surface of the grid, which stays as it is. The result is closed, oriented outwards and
 /// 2-manifold (unless `strict` is `kOff`); of a sheet it is a 2-manifold with boundary, turned as
 /// the input is. The time grows linearly with the hits. Throws `kInvalidOption` (see
-/// `check_options`), `kNotClosed` if nothing is left of an input that had to be repaired,
-/// `kAborted` and `kOutOfMemory`. At too wide a tolerance or too small a depth nothing may be left
-/// of any input: see `check_not_empty`.
+/// `check_options`), `kAborted` and `kOutOfMemory`; and, if nothing is left, `kNotClosed` of an
+/// input that had to be repaired, `kEmptyResult` of any other: the tolerance was too wide, or the
+/// depth too small.
 ExtractedMesh extract(const Grid& grid, const ExtractOptions& options = {},
                       const Progress& progress = {});
-
-/// Throws `kEmptyResult`, with what to do about it, if the result has no faces. The command line
-/// and JavaScript call it for every result.
-void check_not_empty(const Mesh& mesh);
 
 }  // namespace kdm

@@ -14,6 +14,7 @@
 #include "kdmanifold/error.h"
 #include "kdmanifold/extract.h"
 #include "kdmanifold/grid_io.h"
+#include "support/extract_any.h"
 #include "support/mesh_assert.h"
 #include "support/sanitized.h"
 #include "support/shapes.h"
@@ -131,7 +132,7 @@ void forge_all(const Bytes& bytes, bool sheet) {
       ASSERT_NO_THROW(validate(grid.data())) << at;
       ExtractedMesh out;
       try {
-        out = extract(grid, {.normals = true});
+        out = check::extract_any(grid, {.normals = true});
       } catch (const Error& error) {
         ASSERT_EQ(error.code(), ErrorCode::kNotClosed) << "byte " << at << ", bit " << bit;
       }

@@ -10,6 +10,7 @@
 #include "grid/validate.h"
 #include "kdmanifold/build.h"
 #include "kdmanifold/extract.h"
+#include "support/extract_any.h"
 #include "support/mesh_assert.h"
 #include "support/random.h"
 #include "support/random_meshes.h"
@@ -92,7 +93,7 @@ TEST_P(OpenShapes, AreManifoldsOnAnyGrid) {
         const Grid grid = build_grid(GetParam().mesh, options);
         ASSERT_NO_THROW(validate(grid.data()));
         for (const bool quads : {false, true}) {
-          const ExtractedMesh out = extract(grid, {.quads = quads});
+          const ExtractedMesh out = check::extract_any(grid, {.quads = quads});
           if (out.triangles.empty() && out.quads.empty()) continue;  // a coarse grid may miss it
           ASSERT_TRUE(check::is_manifold(out)) << GetParam().name << ", depth " << depth;
           EXPECT_EQ(out.report.boundary_loops,
@@ -190,7 +191,7 @@ TEST(Sheet, RandomSoupIsAManifoldWhateverTheGrid) {
       if (strategy != SplitStrategy::kAdaptive) options.depth = 10;
       const Grid grid = build_grid(mesh, options);
       ASSERT_NO_THROW(validate(grid.data())) << "seed " << seed;
-      const ExtractedMesh out = extract(grid);
+      const ExtractedMesh out = check::extract_any(grid);
       if (out.triangles.empty()) continue;
       ASSERT_TRUE(check::is_manifold(out)) << "seed " << seed;
       const MeshReport report = describe(out);

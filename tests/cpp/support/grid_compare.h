@@ -8,6 +8,7 @@
 
 #include "grid/grid_data.h"
 #include "kdmanifold/extract.h"
+#include "support/extract_any.h"
 
 namespace kdm::check {
 
@@ -70,8 +71,8 @@ inline void expect_same(const Grid& a, const Grid& b) {
 /// Expects equal meshes to be extracted from two grids.
 inline void expect_same_surface(const Grid& a, const Grid& b) {
   for (const bool quads : {false, true}) {
-    const ExtractedMesh x = extract(a, {.quads = quads, .normals = true});
-    const ExtractedMesh y = extract(b, {.quads = quads, .normals = true});
+    const ExtractedMesh x = extract_any(a, {.quads = quads, .normals = true});
+    const ExtractedMesh y = extract_any(b, {.quads = quads, .normals = true});
     EXPECT_EQ(x.positions, y.positions);
     EXPECT_EQ(x.triangles, y.triangles);
     EXPECT_EQ(x.quads, y.quads);
