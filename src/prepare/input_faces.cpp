@@ -91,10 +91,9 @@ void cancel_opposite_faces(InputFaces& faces) {
   if (!cancelled.any()) return;
   faces.report.cancelled_faces = drop_faces(faces, cancelled);
   if (faces.triangles.empty()) {
-    throw Error(
-        faces.report.closed ? ErrorCode::kInvalidMesh : ErrorCode::kNotClosed,
-        "the surface encloses nothing: the faces of the mesh cancel, each lies back to back "
-        "with another; thicken the surface, or take it as a sheet");
+    throw Error(ErrorCode::kNotClosed,
+                "the surface encloses nothing: the faces of the mesh cancel, each lies back to "
+                "back with another; thicken the surface, or take it as a sheet");
   }
   find_topology(faces);
 }

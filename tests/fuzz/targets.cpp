@@ -131,9 +131,9 @@ void build_from_bytes(const std::uint8_t* bytes, std::size_t size) {
     // Tetrahedra may cancel or shrink to nothing; open they never are.
     const bool nothing = open ? input.triangles.empty() : check::check_mesh(input).volume == 0;
     const bool repair = options.inside == InsideRule::kRepair;
-    demand((error.code() == ErrorCode::kInvalidMesh && (nothing || repair)) ||
-               (error.code() == ErrorCode::kNotClosed && repair),
-           error.what());
+    const bool told =
+        error.code() == ErrorCode::kInvalidMesh || error.code() == ErrorCode::kNotClosed;
+    demand(told && (nothing || repair), error.what());
     return;
   }
   validate(grid.data());

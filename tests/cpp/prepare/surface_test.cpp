@@ -106,7 +106,7 @@ TEST(Surface, RefusesFacesThatCancel) {
   Mesh mesh = shapes::cube();
   const std::vector<Triangle> back = shapes::inverted(mesh).triangles;
   mesh.triangles.insert(mesh.triangles.end(), back.begin(), back.end());
-  expect_refused(mesh, ErrorCode::kInvalidMesh, {"cancel"});
+  expect_refused(mesh, ErrorCode::kNotClosed, {"cancel", "thicken the surface"});
 }
 
 TEST(Surface, RefusesOptionsOutOfRange) {
