@@ -34,7 +34,7 @@ export async function generate(description, page) {
     'web/src/reports.ts': await typescript(
       [
         head('Types of reports, keys of their parts.'),
-        `import type { OwnUint32Array } from './outside-types.js';\n`,
+        `import type { OwnFloat64Array, OwnUint32Array } from './outside-types.js';\n`,
         ...Object.entries(description.reports).map(([name, report]) =>
           reportInterface(name, report),
         ),
@@ -139,6 +139,8 @@ const reportTypes = {
   'integer or null': 'number | null',
   box: '{ min: Float64Array; max: Float64Array }',
   list: 'OwnUint32Array',
+  points: 'OwnFloat64Array',
+  Deviation: 'Deviation',
   lists: 'OwnUint32Array[]',
   'MeshPart list': 'MeshPart[]',
   MeshReport: 'MeshReport',

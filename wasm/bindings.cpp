@@ -9,6 +9,7 @@ EMSCRIPTEN_BINDINGS(kdmanifold) {
   using namespace emscripten;
   class_<kdm::Grid>("Grid")
       .function("extract", &kdm::wasm::extract)
+      .function("compare", &kdm::wasm::compare)
       .function("save", &kdm::wasm::save_grid)
       .function("stats", &kdm::wasm::grid_stats)
       .function("input", &kdm::wasm::grid_input);

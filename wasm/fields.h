@@ -3,7 +3,9 @@
 // reports.h. Properties are the members' names in camel case.
 #pragma once
 
+#include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -14,13 +16,26 @@
 
 namespace kdm::wasm {
 
-/// Returns what the word stands for; `name` is what the error calls the option.
+/// Returns the place of the word among those that are legal; `name` is what the error calls the
+/// option.
+inline std::size_t find_word(const val& word, const char* name,
+                             std::span<const char* const> legal) {
+  const std::string text = word.as<std::string>();
+  std::string all;
+  for (std::size_t i = 0; i < legal.size(); ++i) {
+    if (text == legal[i]) return i;
+    all += i == 0 ? " is none of " : ", ";
+    all += legal[i];
+  }
+  throw Error(ErrorCode::kInvalidOption, std::string(name) + ": '" + text + "'" + all);
+}
+
+/// Returns what the word stands for. What is not the choice's own is compiled once for all.
 template <typename Choice>
 Choice to_choice(const val& word, const char* name) {
-  const std::string text = word.as<std::string>();
-  if (const std::optional<Choice> value = value_of<Choice>(text)) return *value;
-  throw Error(ErrorCode::kInvalidOption,
-              std::string(name) + ": '" + text + "' is none of " + joined_words<Choice>(", "));
+  std::array<const char*, kBareWords<Choice>.size()> legal;
+  for (std::size_t i = 0; i < legal.size(); ++i) legal[i] = kBareWords<Choice>[i].first;
+  return kBareWords<Choice>[find_word(word, name, legal)].second;
 }
 
 // Functions below take the name of a field instead of the field, so that compilers drop its help.
@@ -62,6 +77,11 @@ inline val from_value(const Box& box) {
   to.set("max", copy_out("Float64Array", 3, box.max.data()));
   return to;
 }
+inline val from_value(const Deviation& deviation);
+inline val from_value(const std::vector<Vec3>& points) {
+  return copy_out("Float64Array", 3 * points.size(),
+                  reinterpret_cast<const double*>(points.data()));
+}
 template <typename Element>
 val from_value(const std::vector<Element>& list) {
   return from_indices(list);
@@ -84,5 +104,6 @@ val from_report(const Report& report) {
   return to;
 }
 inline val from_value(const MeshReport& report) { return from_report(report); }
+inline val from_value(const Deviation& deviation) { return from_report(deviation); }
 
 }  // namespace kdm::wasm

@@ -43,6 +43,17 @@ inline val extract(const Grid& grid, val options, val progress) {
   });
 }
 
+inline val compare(const Grid& grid, val input, val result, bool error) {
+  return guard([&] {
+    const Account account = kdm::compare(to_mesh(input), grid, to_mesh(result), {.error = error});
+    val to = val::object();
+    to.set("lost", from_report(account.lost));
+    to.set("error", account.error ? from_report(*account.error) : val::null());
+    to.set("warnings", from_warnings(account.warnings));
+    return to;
+  });
+}
+
 inline val thicken(val mesh, double thickness) {
   return guard([&] { return from_mesh(kdm::thicken(to_mesh(mesh), thickness), "Float64Array"); });
 }

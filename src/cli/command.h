@@ -83,8 +83,8 @@ void for_each_field(Options& files, Visit&& visit) {
 template <Either<ReportOptions> Options, typename Visit>
 void for_each_field(Options& report, Visit&& visit) {
   visit(OptionField{.name = "check",
-                    .help = "verify the output and count triangles that cross; exit status 1 if it "
-                            "is not 2-manifold"},
+                    .help = "verify the output, count triangles that cross and measure how far it "
+                            "is from the input; exit status 1 if it is not 2-manifold"},
         report.check);
   visit(OptionField{.name = "stats",
                     .help = "describe the input's defects; alone, nothing else is done"},
@@ -109,5 +109,8 @@ inline std::string as_typed(const Command& command, const std::string& flag) {
   const auto typed = command.typed.find(flag);
   return typed == command.typed.end() ? flag : typed->second;
 }
+
+/// Returns the text with the names of options in backticks as the user has typed them.
+std::string with_typed_names(const Command& command, const std::string& text);
 
 }  // namespace kdm::cli

@@ -53,11 +53,17 @@ struct Formats {
 };
 
 // Refuses before the work what can be refused then.
-Formats check_files(const FileOptions& files, const Task& task) {
+Formats check_files(const Command& command, const Task& task) {
+  const FileOptions& files = command.files;
   Formats formats;
   if (!task.is_grid) formats.input = input_format(task.input, files.input_format);
   if (!task.output.empty()) {
     formats.output = output_format(task.output, files.format);
+    if (command.extract.normals && formats.output != FileFormat::kObj &&
+        formats.output != FileFormat::kGlb) {
+      throw Error(ErrorCode::kInvalidOption,
+                  "`normals`: of the files only .obj and .glb have them");
+    }
     check_target(task.output, files.force);
     // The folder of --out-dir was checked, and may not be there yet.
     if (files.out_dir.empty()) check_folder_of(task.output);
@@ -84,9 +90,10 @@ void write_results(const Command& command, const Task& task, const Formats& form
 
 // The steps, which fill in the report.
 void work(const Command& command, const Task& task, ProgressLine& progress, RunReport& report) {
-  const Formats formats = check_files(command.files, task);
+  const Formats formats = check_files(command, task);
   Stopwatch watch;
   Grid grid;
+  Mesh input;
   progress.show("reading");
   if (task.is_grid) {
     grid = read_grid_file(task.input);
@@ -102,6 +109,7 @@ void work(const Command& command, const Task& task, ProgressLine& progress, RunR
     report.seconds.analyze = watch.lap();
     if (!converts(command)) return;
     grid = build_grid(read.mesh, command.build, progress.of("building"));
+    input = std::move(read.mesh);
     report.seconds.build = watch.lap();
   }
   ExtractedMesh result = extract(grid, command.extract, progress.of("extracting"));
@@ -115,14 +123,23 @@ void work(const Command& command, const Task& task, ProgressLine& progress, RunR
   report.grid = grid.stats();
   report.output = describe(result);
   report.extracted = result.report;
-  report.warnings.insert(report.warnings.end(), result.warnings.begin(), result.warnings.end());
+  const auto warn = [&](const std::vector<Warning>& of) {
+    report.warnings.insert(report.warnings.end(), of.begin(), of.end());
+  };
+  if (!task.is_grid) {
+    const Account account = compare(input, grid, result, {.error = command.report.check});
+    report.lost = account.lost;
+    report.error = account.error;
+    warn(account.warnings);
+  }
+  warn(result.warnings);
   if (command.report.check) report.self_intersections = find_self_intersections(result).pairs;
 }
 
 // Errors of files name these already, others are about the input. Options are called as they were
 // typed.
 std::string message_of(const Error& error, const Command& command, const Task& task) {
-  std::string message = error.what();
+  std::string message = with_typed_names(command, error.what());
   const std::string name = input_name(task.input);
   if (error.code() == ErrorCode::kIoError || message.rfind(name + ": ", 0) == 0) return message;
   if (error.code() == ErrorCode::kInvalidOption) {

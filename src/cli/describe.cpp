@@ -94,6 +94,8 @@ const char* type_name(const OrNone&) { return "integer or null"; }
 const char* type_name(const std::optional<std::uint64_t>&) { return "integer or null"; }
 const char* type_name(const Box&) { return "box"; }
 const char* type_name(const MeshReport&) { return "MeshReport"; }
+const char* type_name(const Deviation&) { return "Deviation"; }
+const char* type_name(const std::vector<Vec3>&) { return "points"; }
 const char* type_name(const std::vector<Index>&) { return "list"; }
 const char* type_name(const std::vector<Edge>&) { return "list"; }
 const char* type_name(const std::vector<std::vector<Index>>&) { return "lists"; }
@@ -147,6 +149,9 @@ std::string description() {
   reports["InputReport"] = report_json<InputReport>("What the grid was built from");
   reports["GridStats"] = report_json<GridStats>("The size of a grid");
   reports["ExtractReport"] = report_json<ExtractReport>("How a mesh was made of a grid");
+  reports["LostArea"] = report_json<LostArea>("What of the input the result does not come near");
+  reports["Deviation"] = report_json<Deviation>("How far points of one surface are from another");
+  reports["MeshError"] = report_json<MeshError>("How far a result and its input are apart");
   reports["MeshReport"] = report_json<MeshReport>(
       "What can be said about a mesh; two faces meet where they use the same vertex numbers. "
       "Degenerate faces are counted and take no part in anything else");

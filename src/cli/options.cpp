@@ -197,6 +197,19 @@ std::string answer_to(const std::vector<std::string>& arguments) {
   return "";
 }
 
+// Refuses options of building and extracting that have no effect.
+void check_effects(const Command& command) {
+  const auto given = [&](std::string_view name) {
+    return command.typed.contains("--" + kebab_case(name));
+  };
+  try {
+    check_combination(command.build, given);
+    check_combination(command.extract, given);
+  } catch (const Error& error) {
+    throw UsageError(with_typed_names(command, error.what()));
+  }
+}
+
 // What the values alone cannot tell.
 void check_combination(const Command& command) {
   const FileOptions& files = command.files;
@@ -216,12 +229,32 @@ void check_combination(const Command& command) {
   if (!files.out_dir.empty() && !files.save_grid.empty()) {
     refuse("--out-dir", "not together with " + as_typed(command, "--save-grid"));
   }
+  if (command.typed.contains("--no-strict") && command.typed.contains("--strict")) {
+    refuse("--no-strict", "not together with " + as_typed(command, "--strict"));
+  }
+  if (files.format != FileFormat::kByName && files.output.empty() && files.out_dir.empty()) {
+    refuse("--format", "only with -o or --out-dir");
+  }
+  check_effects(command);
   if (command.report.quiet && command.report.json) {
     refuse("--quiet", "not together with --json, which prints a report");
   }
 }
 
 }  // namespace
+
+std::string with_typed_names(const Command& command, const std::string& text) {
+  std::string result;
+  std::size_t done = 0;
+  for (std::size_t at = text.find('`'); at != std::string::npos; at = text.find('`', done)) {
+    const std::size_t end = text.find('`', at + 1);
+    if (end == std::string::npos) break;
+    const std::string name = "--" + kebab_case(text.substr(at + 1, end - at - 1));
+    result += text.substr(done, at - done) + as_typed(command, name);
+    done = end + 1;
+  }
+  return result + text.substr(done);
+}
 
 Command parse_command(const std::vector<std::string>& arguments) {
   Command command;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,8 @@ struct RunReport {
   MeshReport output;
   ExtractReport extracted;
   std::vector<Warning> warnings;         ///< of the file, then of the result
+  std::optional<LostArea> lost;          ///< unless the input is a grid
+  std::optional<MeshError> error;        ///< with --check, unless the input is a grid
   std::uint64_t self_intersections = 0;  ///< of the output; with --check only
   Seconds seconds;
   std::uint64_t peak_bytes = 0;  ///< most memory the process held; 0: unknown

@@ -26,7 +26,14 @@ template <typename Value>
 void set_value(Json& json, const std::optional<Value>& value) {
   json = value ? Json(*value) : Json();
 }
-/// Structures have no place in these objects; no key names one.
+inline void set_value(Json& json, const std::vector<Vec3>& points) {
+  json = Json::array();
+  for (const Vec3& p : points) json.push_back({p[0], p[1], p[2]});
+}
+inline void set_value(Json& json, const Deviation& deviation) {
+  json = {{"largest", deviation.largest}, {"rms", deviation.rms}};
+}
+/// Other structures have no place in these objects; no key names one.
 inline void set_value(Json&, const Box&) {}
 inline void set_value(Json&, const MeshReport&) {}
 

@@ -87,6 +87,8 @@ Json report_as_json(const RunReport& report, const Command& command) {
   if (converts(command)) {
     json["grid"] = all_fields(report.grid);
     json["output"] = output_json(report.output, report.extracted);
+    if (report.lost) json["lost"] = all_fields(*report.lost);
+    if (report.error) json["error"] = all_fields(*report.error);
   }
   json["warnings"] = warnings_json(report.warnings);
   if (command.report.check) {

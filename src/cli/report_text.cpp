@@ -110,6 +110,30 @@ std::string repair_text(const RunReport& report) {
   return text;
 }
 
+// Writes a number in full with three digits that count. In Node they get the same.
+std::string three_digits(double value) {
+  int decimals = 0;
+  for (double scaled = value; scaled < 100 && decimals < 20; scaled *= 10) ++decimals;
+  return fmt::format("{:.{}f}", value, value > 0 ? decimals : 0);
+}
+
+// What the result lacks, and how far it is from the input.
+std::string account_text(const RunReport& report) {
+  std::string text;
+  if (report.lost && report.lost->area > 0) {
+    text += fmt::format("lost     {} % of the input's area, in {} pieces\n",
+                        three_digits(100 * report.lost->share), report.lost->parts);
+  }
+  if (report.error) {
+    const auto numbers = [](const Deviation& d) {
+      return fmt::format("at most {} (rms {})", three_digits(d.largest), three_digits(d.rms));
+    };
+    text += fmt::format("error    result to input {}, input to result {}\n",
+                        numbers(report.error->to_input), numbers(report.error->to_output));
+  }
+  return text;
+}
+
 std::string result_text(const RunReport& report, const Command& command, const Task& task) {
   const GridStats& grid = report.grid;
   const MeshReport& output = report.output;
@@ -123,6 +147,7 @@ std::string result_text(const RunReport& report, const Command& command, const T
                       faces_text(output.triangles, output.quads), output.components,
                       output.euler_characteristic, kind_text(output, report.extracted, grid.sheet));
   text += repair_text(report);
+  text += account_text(report);
   if (command.report.check) text += check_text(output, report.self_intersections, grid.sheet);
   return text;
 }

@@ -51,6 +51,8 @@ Grid build_grid(const Mesh& mesh, const BuildOptions& options, const Progress& p
   check_thickness(options.thicken, surface.lattice.step);
   auto grid = std::make_unique<GridData>();
   grid->sheet = surface.sheet;
+  grid->inside = options.inside;
+  grid->thickness = options.thicken;
   grid->lattice = surface.lattice;
   grid->input = surface.report;
   report_progress(progress, 0.1, "build");
@@ -70,6 +72,7 @@ Grid build_grid(const Mesh& mesh, const BuildOptions& options, const Progress& p
   keep_corners(surface, made.triangle_of_hit, *grid);
   count_stats(*grid);
   GridStats& stats = grid->stats;
+  for (Vec3& p : stats.unresolved_positions) p = grid->lattice.to_model(p);
   stats.topology_resolved = stats.topology_resolved && stats.guessed_faces == 0 && !surface.repair;
   report_progress(progress, 1.0, "link");
   return Grid(std::move(grid));

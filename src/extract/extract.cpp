@@ -130,6 +130,9 @@ ExtractedMesh extract(const Grid& handle, const ExtractOptions& options,
                       const Progress& progress) try {
   check_options(options);
   const GridData& grid = handle.data();
+  if (grid.sheet && options.parts != Parts::kAll) {
+    throw Error(ErrorCode::kInvalidOption, "`parts`: only all for a sheet, which encloses nothing");
+  }
   const double crease = cosine_of_degrees(options.crease_angle);
   ExtractedMesh out;
   const DualMesh mesh = surface_of(grid, options, progress, out.report);

@@ -2,23 +2,16 @@
 // Words the warnings.
 #include "extract/warnings.h"
 
-#include <cmath>
 #include <string>
 
 #include "text/compose.h"
+#include "text/rounded.h"
 
 namespace kdm {
 namespace {
 
 // Tolerances that were asked for and used agree but for rounding.
 constexpr double kWider = 1.001;
-
-// Writes a number with three digits, or four before the point.
-std::string rounded(double value) {
-  double scale = 1;
-  while (value * scale < 100 && scale < 1e300) scale *= 10;
-  return compose("{}", std::round(value * scale) / scale);
-}
 
 // "1 part", "3 parts".
 std::string count(Index n, const char* one, const char* many) {

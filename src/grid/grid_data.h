@@ -43,6 +43,7 @@
 #include "geometry/plane.h"
 #include "geometry/predicates.h"
 #include "grid/hit_range.h"
+#include "kdmanifold/build.h"
 #include "kdmanifold/grid.h"
 
 namespace kdm {
@@ -140,7 +141,11 @@ struct GridData {
   std::vector<Plane> planes;
   std::vector<Index> source_faces;  ///< per plane the number of its input face; kPatch: of a patch
                                     ///< that closes a hole; kNone: invented
-  bool sheet = false;        ///< it is the grid of a sheet: half-edges may lie on the boundary
+  bool sheet = false;  ///< it is the grid of a sheet: half-edges may lie on the boundary
+  /// The inside rule and the option `thicken` that the grid was built with. Saved grids do not
+  /// tell.
+  InsideRule inside = InsideRule::kRepair;
+  double thickness = 0;
   std::vector<RimHit> rims;  ///< ascending by half-edge; a half-edge on the boundary may have none
   std::vector<KeptCorner> corners;  ///< ascending by half-edge; a loop has one at most
   GridStats stats;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A binary tree over boxes: finds the boxes that meet each other, a given box or a ray.
+// A binary tree over boxes: finds the boxes that meet each other, a given box or a ray, and what is
+// nearest to a point.
 #pragma once
 
 #include <algorithm>
@@ -48,6 +49,15 @@ class BoxTree {
     const Vec3 inverse = direction.cwiseInverse();
     return !nodes_.empty() && entry(nodes_[0].box, origin, inverse) < kMissed &&
            any_along_below(0, origin, inverse, test);
+  }
+
+  /// Returns the least of `bound` and of `squared_distance(i)`, the squared distance of the point
+  /// from what is in box i. Asks for near boxes first, and stops at what is not above `enough`.
+  template <typename SquaredDistance>
+  double least(const Vec3& point, double bound, double enough,
+               const SquaredDistance& squared_distance) const {
+    if (!nodes_.empty() && bound > enough) least_below(0, point, enough, squared_distance, bound);
+    return bound;
   }
 
  private:
@@ -103,6 +113,36 @@ class BoxTree {
       if (entry(boxes_[box], origin, inverse) < kMissed && test(box)) return true;
     }
     return false;
+  }
+
+  static double squared_gap(const Box& box, const Vec3& p) {
+    return (p - p.cwiseMax(box.min).cwiseMin(box.max)).squaredNorm();
+  }
+
+  template <typename SquaredDistance>
+  void least_below(Index node, const Vec3& point, double enough,
+                   const SquaredDistance& squared_distance, double& bound) const {
+    const Node& n = nodes_[node];
+    if (n.right == 0) {
+      for (Index i = n.begin; i < n.end; ++i) {
+        if (squared_gap(boxes_[order_[i]], point) < bound) {
+          bound = std::min(bound, squared_distance(order_[i]));
+        }
+      }
+      return;
+    }
+    Index near = node + 1;
+    Index far = n.right;
+    double near_gap = squared_gap(nodes_[near].box, point);
+    double far_gap = squared_gap(nodes_[far].box, point);
+    if (far_gap < near_gap) {
+      std::swap(near, far);
+      std::swap(near_gap, far_gap);
+    }
+    if (near_gap < bound) least_below(near, point, enough, squared_distance, bound);
+    if (far_gap < bound && bound > enough) {
+      least_below(far, point, enough, squared_distance, bound);
+    }
   }
 
   // i and j are places in order_.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Checks options against the table in kdmanifold/options.h.
+#include <initializer_list>
 
 #include "kdmanifold/error.h"
 #include "kdmanifold/options.h"
@@ -41,9 +42,72 @@ void check_fields(const Options& options) {
   });
 }
 
+// An option that may have no effect.
+struct Effect {
+  const char* name;
+  bool exists;
+  const char* when;
+};
+
+// Refuses the first option that was given and has no effect.
+void demand(std::initializer_list<Effect> effects, const IsGiven& given) {
+  for (const Effect& effect : effects) {
+    if (effect.exists || !given(effect.name)) continue;
+    throw Error(ErrorCode::kInvalidOption, compose("`{}`: {}", effect.name, effect.when));
+  }
+}
+
 }  // namespace
 
-void check_options(const BuildOptions& options) { check_fields(options); }
-void check_options(const ExtractOptions& options) { check_fields(options); }
+void check_combination(const BuildOptions& options, const IsGiven& given) {
+  const bool counts =
+      options.strategy == SplitStrategy::kMedian || options.strategy == SplitStrategy::kUniform;
+  const bool repair = options.inside == InsideRule::kRepair;
+  const bool sided = options.pairing == Pairing::kInside || options.pairing == Pairing::kOutside;
+  const char* const by_tolerance = "only with `strategy` adaptive, octree or feature";
+  const char* const by_repair = "only with `inside` repair";
+  demand(
+      {{"relative_tolerance", options.tolerance == 0, "not together with `tolerance`"},
+       {"tolerance", !counts, by_tolerance},
+       {"relative_tolerance", !counts, by_tolerance},
+       {"winding_threshold", repair, by_repair},
+       {"largest_hole", repair, by_repair},
+       {"largest_hole", options.thicken == 0, "not together with `thicken`, which leaves no holes"},
+       {"pairing", !sided || options.inside != InsideRule::kSheet,
+        "only trace or hermite with `inside` sheet"}},
+      given);
+}
+
+void check_combination(const ExtractOptions& options, const IsGiven& given) {
+  demand({{"quads", !options.quads || options.strict != Strict::kEmbedded,
+           "not together with `strict` embedded"},
+          {"link_error", !options.quads, "not together with `quads`"},
+          {"crease_angle", options.normals, "only with `normals`"}},
+         given);
+}
+
+void check_options(const BuildOptions& options) {
+  check_fields(options);
+  const BuildOptions standard;
+  check_combination(options, [&](std::string_view name) {
+    if (name == "tolerance") return options.tolerance != standard.tolerance;
+    if (name == "relative_tolerance") {
+      return options.relative_tolerance != standard.relative_tolerance;
+    }
+    if (name == "winding_threshold") return options.winding_threshold != standard.winding_threshold;
+    if (name == "largest_hole") return options.largest_hole != standard.largest_hole;
+    return options.pairing != standard.pairing;
+  });
+}
+
+void check_options(const ExtractOptions& options) {
+  check_fields(options);
+  const ExtractOptions standard;
+  check_combination(options, [&](std::string_view name) {
+    if (name == "quads") return options.quads != standard.quads;
+    if (name == "link_error") return options.link_error != standard.link_error;
+    return options.crease_angle != standard.crease_angle;
+  });
+}
 
 }  // namespace kdm

@@ -89,7 +89,7 @@ void check_holes(const std::vector<BoundaryLoop>& holes, const InputFaces& faces
   }
   if (too_wide == 0) return;
   throw Error(ErrorCode::kNotClosed,
-              compose("{} of {} holes are wider than largest_hole, which is {}; the widest, {} "
+              compose("{} of {} holes are wider than `largest_hole`, which is {}; the widest, {} "
                       "across, passes through ({}, {}, {}): allow wider ones, thicken the "
                       "surface, or take it as a sheet",
                       too_wide, holes.size(), largest, widest, place[0], place[1], place[2]));

@@ -36,6 +36,8 @@ constexpr std::size_t kFineSplits = 200000;
 constexpr std::size_t kFineSplitsPerTriangle = 16;
 // Above this many triangles a cell is split on a clear misfit even where shells may hide others.
 constexpr std::size_t kManyTriangles = 64;
+// So many centres of unresolved leaves are kept; an even number.
+constexpr std::size_t kMostPositions = 1000;
 
 double diagonal(const LatticeBox& box) {
   double sum = 0;
@@ -79,6 +81,7 @@ class AdaptiveRule : public SplitRule {
 
   void report(GridStats& stats) const override {
     stats.unresolved_leaves = unresolved_leaves_;
+    stats.unresolved_positions = unresolved_;
     stats.topology_resolved = unresolved_leaves_ == 0;
   }
 
@@ -142,11 +145,11 @@ class AdaptiveRule : public SplitRule {
         contact_points_.exist_in(surface_in_cell_, shells_cross)) {
       return split_for_fit(cell);
     }
-    if (shells_cross || surface_in_cell_.crossings.has_gaps) return leave_unresolved();
+    if (shells_cross || surface_in_cell_.crossings.has_gaps) return leave_unresolved(cell);
     if (surface_in_cell_.crossings.some_dropped() || !triangles_cross()) return std::nullopt;
     // Shells cross between the cell's edges, so that no crossing was dropped.
     const bool fits = small || fit_.pieces_fit(surface_in_cell_, LeafVertices::kOneForAll);
-    return fits ? leave_unresolved() : split_for_fit(cell);
+    return fits ? leave_unresolved(cell) : split_for_fit(cell);
   }
 
   // Finds pieces and triangles that bound nothing in a cell with crossings that are no hits. A
@@ -187,7 +190,7 @@ class AdaptiveRule : public SplitRule {
 
   std::optional<Split> split_for_fit(const CellView& cell) {
     const std::optional<Split> split = cuts_.split_for_fit(cell);
-    return split ? split : leave_unresolved();
+    return split ? split : leave_unresolved(cell);
   }
 
   // Below the floor, topology is pursued where the surface is embedded, within the budget, and not
@@ -204,13 +207,27 @@ class AdaptiveRule : public SplitRule {
       split = cuts_.split_for_topology(cell, surface_in_cell_, fault, between_parts_,
                                        TopologyFloor::kAtLattice);
     }
-    return split ? split : leave_unresolved();
+    return split ? split : leave_unresolved(cell);
   }
 
   // Makes the cell a leaf although it does not pass the tests.
-  std::optional<Split> leave_unresolved() {
+  std::optional<Split> leave_unresolved(const CellView& cell) {
+    if (unresolved_leaves_ % stride_ == 0) keep_position(cell.box);
     ++unresolved_leaves_;
     return std::nullopt;
+  }
+
+  // Keeps the centre of a leaf. Of too many, every second stays, and so do every second of those to
+  // come.
+  void keep_position(const LatticeBox& box) {
+    if (unresolved_.size() == kMostPositions) {
+      for (std::size_t i = 0; 2 * i < kMostPositions; ++i) unresolved_[i] = unresolved_[2 * i];
+      unresolved_.resize(kMostPositions / 2);
+      stride_ *= 2;
+    }
+    Vec3 centre;
+    for (int i = 0; i < 3; ++i) centre[i] = 0.5 * (box.lo[i] + box.hi[i]);
+    unresolved_.push_back(centre);
   }
 
   const Surface& surface_;
@@ -230,6 +247,8 @@ class AdaptiveRule : public SplitRule {
   std::optional<Split> between_parts_;  // a plane between the small parts of the cell at hand
   Index unresolved_leaves_ = 0;
   std::size_t fine_splits_left_;  // below the topology floor
+  Index stride_ = 1;              // of so many unresolved leaves the centre of one is kept
+  std::vector<Vec3> unresolved_;  // lattice coordinates
 };
 
 }  // namespace

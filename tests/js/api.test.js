@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The synchronous interface: what goes in, what comes out, every option.
 import { readFileSync } from 'node:fs';
-import { formatFromPath, Grid, KdManifold, load } from '../../dist/index.js';
+import { formatFromPath, Grid, KdManifold, load, makeManifold } from '../../dist/index.js';
 import {
   asSoup,
   cube,
@@ -367,4 +367,27 @@ test('content counts more than the format asked for, and what is skipped is said
 test('formats go by extension', () => {
   expect(formatFromPath('a/b.c/Part.STL')).toBe('stl');
   expect(() => formatFromPath('part')).toThrow('ends in none of');
+});
+
+test.each([
+  ['plain arrays', (list) => [...list], (list) => [...list]],
+  ['64-bit positions', (list) => Float64Array.from(list), (list) => Uint16Array.from(list)],
+  ['Int32Array', (list) => list, (list) => Int32Array.from(list)],
+  ['Int16Array', (list) => list, (list) => Int16Array.from(list)],
+  ['Int8Array', (list) => list, (list) => Int8Array.from(list)],
+  ['Uint8Array', (list) => list, (list) => Uint8Array.from(list)],
+])('meshes may have %s', async (_, toPositions, toIndices) => {
+  const { positions, indices } = cube();
+  const given = {
+    positions: toPositions(positions),
+    indices: toIndices(indices),
+    sourceFaces: toIndices(indices.slice(0, 12)),
+  };
+  const wanted = (await makeManifold({ positions, indices, sourceFaces: indices.slice(0, 12) }))
+    .mesh;
+  for (const transfer of [false, true]) {
+    expect((await makeManifold(globalThis.structuredClone(given), { transfer })).mesh).toEqual(
+      wanted,
+    );
+  }
 });

@@ -45,28 +45,74 @@ const table = [
   ['a mesh that is no object', build('cube'), 'INVALID_MESH', /mesh.*string/],
   ['no positions', build({ indices }), 'INVALID_MESH', /positions.*undefined/],
   [
-    'a plain array',
-    build({ positions: [...positions], indices }),
+    'a plain array of words',
+    build({ positions: [0, 1, 'two'], indices }),
     'INVALID_MESH',
-    /positions.*plain array/,
+    /^positions\[2\] is two, which is no number$/,
+  ],
+  [
+    'a plain array of points',
+    build({ positions: [[0, 0, 0]], indices }),
+    'INVALID_MESH',
+    /^positions\[0\] is a plain array, which is no number$/,
   ],
   [
     'whole positions',
     build({ positions: Int32Array.from(positions), indices }),
     'INVALID_MESH',
-    /positions.*Int32Array/,
+    /^positions: expected Float32Array or Float64Array, got Int32Array; Float32Array\.from\(positions\) makes one$/,
   ],
   [
-    'signed indices',
-    build({ positions, indices: Int32Array.from(indices) }),
+    'a negative index',
+    build({ positions, indices: Int32Array.of(0, 1, -1) }),
     'INVALID_MESH',
-    /indices.*Int32Array/,
+    /^indices\[2\] is -1; vertices are numbered 0, 1, 2 and so on$/,
   ],
   [
-    'plain indices',
-    build({ positions, indices: [0, 1, 2] }),
+    'half an index',
+    build({ positions, indices: [0, 1, 2.5] }),
     'INVALID_MESH',
-    /indices.*plain array/,
+    /^indices\[2\] is 2\.5; vertices are numbered/,
+  ],
+  [
+    'real indices',
+    build({ positions, indices: Float32Array.from(indices) }),
+    'INVALID_MESH',
+    /^indices: expected Uint32Array or Uint16Array, got Float32Array; Uint32Array\.from\(indices\) makes one$/,
+  ],
+  [
+    'big indices',
+    build({ positions, indices: BigUint64Array.of(0n, 1n, 2n) }),
+    'INVALID_MESH',
+    /^indices: .*got BigUint64Array; Uint32Array\.from\(indices, Number\) makes one$/,
+  ],
+  [
+    'a DataView',
+    build({ positions: new DataView(positions.buffer), indices }),
+    'INVALID_MESH',
+    /^positions: .*got DataView; new Float32Array\(\.\.\.\) makes one of its bytes$/,
+  ],
+  [
+    'a bare buffer',
+    build({ positions: positions.slice().buffer, indices }),
+    'INVALID_MESH',
+    /^positions: .*got object; new Float32Array\(\.\.\.\) makes one of its bytes$/,
+  ],
+  [
+    'an attribute of three.js',
+    build({ positions: { array: positions, itemSize: 3 }, indices }),
+    'INVALID_MESH',
+    /^positions: .*got object; its member array may be one$/,
+  ],
+  [
+    'an array that was handed over',
+    () => {
+      const gone = positions.slice();
+      globalThis.structuredClone(gone, { transfer: [gone.buffer] });
+      kdm.buildGrid({ positions: gone, indices });
+    },
+    'INVALID_MESH',
+    /^positions: its buffer was handed over to another thread, so the array is empty now$/,
   ],
   [
     'a length no multiple of 3',
@@ -158,6 +204,72 @@ const table = [
     build(cube(), { relativeTolerance: Infinity }),
     'INVALID_OPTION',
     /relativeTolerance.*Infinity/,
+  ],
+  [
+    'two tolerances',
+    build(cube(), { tolerance: 0.1, relativeTolerance: 0.1 }),
+    'INVALID_OPTION',
+    /^relativeTolerance: not together with `tolerance`$/,
+  ],
+  [
+    'a tolerance where none is asked for',
+    build(cube(), { strategy: 'uniform', tolerance: 0.1 }),
+    'INVALID_OPTION',
+    /^tolerance: only with `strategy` adaptive, octree or feature$/,
+  ],
+  [
+    'a threshold for closed input',
+    build(cube(), { inside: 'odd', windingThreshold: 0.3 }),
+    'INVALID_OPTION',
+    /^windingThreshold: only with `inside` repair$/,
+  ],
+  [
+    'the largest hole of a shell',
+    build(cube(), { thicken: 0.3, largestHole: 0.3 }),
+    'INVALID_OPTION',
+    /^largestHole: not together with `thicken`, which leaves no holes$/,
+  ],
+  [
+    'an inside pairing without inside',
+    build(cube(), { inside: 'sheet', pairing: 'inside' }),
+    'INVALID_OPTION',
+    /^pairing: only trace or hermite with `inside` sheet$/,
+  ],
+  [
+    'a hole that is too wide',
+    build({ positions, indices: indices.slice(3) }, { largestHole: 0.1 }),
+    'NOT_CLOSED',
+    /^1 of 1 holes are wider than `largestHole`, which is 0\.1;/,
+  ],
+  ...[
+    [{ quads: true, strict: 'embedded' }, /^quads: not together with `strict` embedded$/],
+    [{ quads: true, linkError: 1 }, /^linkError: not together with `quads`$/],
+    [{ creaseAngle: 20 }, /^creaseAngle: only with `normals`$/],
+  ].map(([options, message]) => [
+    `options without effect: ${Object.keys(options).join(' and ')}`,
+    () => {
+      const grid = kdm.buildGrid(cube());
+      try {
+        grid.extract(options);
+      } finally {
+        grid.delete();
+      }
+    },
+    'INVALID_OPTION',
+    message,
+  ]),
+  [
+    'parts of a sheet',
+    () => {
+      const grid = kdm.buildGrid(cube(), { inside: 'sheet' });
+      try {
+        grid.extract({ parts: 'largest' });
+      } finally {
+        grid.delete();
+      }
+    },
+    'INVALID_OPTION',
+    /`parts`: only all for a sheet/,
   ],
   [
     'progress that is no function',
@@ -273,7 +385,7 @@ const asyncTable = [
   ['a signal that is none', cube(), { signal: {} }, 'INVALID_OPTION', /signal/],
   ['transfer that is no flag', cube(), { transfer: 1 }, 'INVALID_OPTION', /transfer/],
   ['progress that is no function', cube(), { onProgress: {} }, 'INVALID_OPTION', /onProgress/],
-  ['a bad mesh', { positions: [] }, {}, 'INVALID_MESH', /positions/],
+  ['a bad mesh', { positions: [] }, {}, 'INVALID_MESH', /no vertices/],
   [
     'an open mesh',
     { positions, indices: indices.slice(3) },

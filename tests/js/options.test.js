@@ -150,8 +150,11 @@ test.each(calls.filter(([, option]) => !analyze.includes(option)))(
         programs.map(([, run]) => run(['none.obj', ...args], { cwd: folder }).stderr);
       const [legal, wrong] = type === 'boolean' ? [[], []] : values(option);
       const taken = type === 'boolean' ? [[flag]] : legal.map((value) => [flag, String(value)]);
+      // It has no effect without.
+      const beside = flag === '--crease-angle' ? ['--normals'] : [];
       for (const args of taken) {
-        for (const line of tell(args)) expect(line).toMatch(/^kdmanifold: none\.obj: cannot be/);
+        for (const line of tell([...args, ...beside]))
+          expect(line).toMatch(/^kdmanifold: none\.obj: cannot be/);
       }
       for (const value of wrong) {
         const [native, node] = tell([`${flag}=${value}`]);

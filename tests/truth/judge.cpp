@@ -7,10 +7,10 @@
 #include <cmath>
 #include <sstream>
 
+#include "kdmanifold/account.h"
 #include "kdmanifold/build.h"
 #include "kdmanifold/error.h"
 #include "kdmanifold/extract.h"
-#include "support/extract_any.h"
 #include "support/mesh_check.h"
 #include "support/random.h"
 #include "truth/near.h"
@@ -83,10 +83,12 @@ class Judgement {
     } catch (const Error& error) {
       // The documented answer to what encloses nothing.
       const bool nothing = solid_.account.volume == 0;
-      verdict_.topology_right = nothing && error.code() == ErrorCode::kNotClosed;
+      const bool empty = error.code() == ErrorCode::kEmptyResult;
+      verdict_.topology_right = nothing && (empty || error.code() == ErrorCode::kNotClosed);
       verdict_.manifold_right = verdict_.topology_right;
       if (!verdict_.topology_right) {
-        fail(kThrows) << error_code_name(error.code()) << ": " << error.what() << '\n';
+        fail(empty ? kMissing : kThrows)
+            << error_code_name(error.code()) << ": " << error.what() << '\n';
       }
     } catch (const std::exception& error) {
       verdict_.topology_right = false;
@@ -104,20 +106,14 @@ class Judgement {
 
   void look_at(const char* name, const Grid& grid, Strict strict) {
     const double start = seconds_now();
-    const ExtractedMesh result = check::extract_any(grid, {.strict = strict});
+    const ExtractedMesh result = extract(grid, {.strict = strict});
     verdict_.seconds += seconds_now() - start;
     words_ << name << ": " << result.triangles.size() << " triangles";
     for (const Warning& warning : result.warnings) words_ << ", " << warning.code;
+    const kdm::Account account = compare(solid_.input, grid, result, {.error = true});
+    for (const Warning& warning : account.warnings) words_ << ", " << warning.code;
     words_ << (verdict_.topology_resolved ? ", resolved" : "") << '\n';
-    verdict_.warned = !result.warnings.empty();
-    if (result.triangles.empty()) {
-      // That is an error, which is due where nothing is enclosed.
-      if (solid_.account.volume == 0) return;
-      verdict_.topology_right = false;
-      fail(kMissing) << "nothing is left\n";
-      if (!verdict_.warned) fail(kSilent) << "nothing is left\n";
-      return;
-    }
+    verdict_.warned = !result.warnings.empty() || !account.warnings.empty();
     if (solid_.account.volume == 0) {
       fail(kVolume) << "a solid, where nothing is enclosed\n";
       return;
@@ -125,7 +121,7 @@ class Judgement {
     verdict_.triangles = double(result.triangles.size()) / double(solid_.input.triangles.size());
     check_surface(result, strict);
     check_volume(result);
-    check_distances(result);
+    check_distances(result, account);
   }
 
   void check_surface(const ExtractedMesh& result, Strict strict) {
@@ -158,7 +154,7 @@ class Judgement {
     if (!verdict_.warned) fail(kSilent) << "wrong volume\n";
   }
 
-  void check_distances(const ExtractedMesh& result) {
+  void check_distances(const ExtractedMesh& result, const kdm::Account& account) {
     Mesh expected = solid_.input;
     append(expected, solid_.account.boundary);
     const Miss far = worst(result.positions, Near(expected));
@@ -172,8 +168,22 @@ class Judgement {
                      << missing.at.transpose() << '\n';
       if (!verdict_.warned) fail(kSilent) << "missing surface\n";
     }
+    if (account.error->to_input.largest < (1 - 1e-9) * far.tolerances * solid_.tolerance) {
+      fail(kAccount) << "a vertex is further away than is said\n";
+    }
+    if (!account.warnings.empty() && missing.tolerances == 0) check_lost(result, account.lost);
     verdict_.far = std::max(verdict_.far, far.tolerances);
     verdict_.missing = std::max(verdict_.missing, missing.tolerances);
+  }
+
+  // The solid's surface is all there. What is said to be lost of the input all the same, as faces
+  // on each other that bound nothing, must be far from the result.
+  void check_lost(const ExtractedMesh& result, const LostArea& lost) {
+    Mesh faces;
+    faces.positions = solid_.input.positions;
+    for (const Index face : lost.faces) faces.triangles.push_back(solid_.input.triangles[face]);
+    if (worst(samples_of(faces), Near(result)).tolerances > 0) return;
+    fail(kAccount) << 100 * lost.share << " % are said to be lost\n";
   }
 
   // The point that is furthest, among those that are too far.
@@ -201,8 +211,9 @@ class Judgement {
 }  // namespace
 
 const char* check_name(std::size_t check) {
-  constexpr std::array<const char*, kChecks> kNames = {
-      "throws", "faulty", "volume", "false claim", "crossing", "far", "missing", "silent"};
+  constexpr std::array<const char*, kChecks> kNames = {"throws",      "faulty",   "volume",
+                                                       "false claim", "crossing", "far",
+                                                       "missing",     "silent",   "account"};
   return kNames[check];
 }
 

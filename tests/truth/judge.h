@@ -20,6 +20,7 @@ enum Check : std::size_t {
   kFar,         ///< a vertex is further than 1.5 tolerances from input and solid
   kMissing,     ///< a point of the solid's surface is further than that from the result
   kSilent,      ///< wrong volume or missing surface, and no warning
+  kAccount,     ///< area is said to be lost, and none is; or `error` is less than the check finds
   kChecks
 };
 

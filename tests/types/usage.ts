@@ -101,8 +101,9 @@ try {
 
 // @ts-expect-error positions are needed
 await makeManifold({ indices: new Uint32Array(3) });
-// @ts-expect-error plain arrays are none
-await makeManifold({ positions: [0, 0, 0] });
+await makeManifold({ positions: [0, 0, 0], indices: [0, 0, 0] }, { check: true });
+// @ts-expect-error big numbers are none
+await makeManifold({ positions: new BigInt64Array(3) });
 // @ts-expect-error no such strategy
 kdm.buildGrid(soup, { strategy: 'best' });
 // @ts-expect-error no such option

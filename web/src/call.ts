@@ -34,7 +34,8 @@ export function call<T>(
     : null;
   const answer = attempt(health, () => work(progress));
   if (thrown !== null) throw (thrown as { error: unknown }).error;
-  if (answer.code !== undefined) throw new KdManifoldError(answer.code, answer.message);
+  if (answer.code !== undefined)
+    throw new KdManifoldError(answer.code, inJavaScript(answer.message));
   return answer.value;
 }
 
@@ -56,3 +57,9 @@ function attempt<T>(health: Health, work: () => T): T {
     });
   }
 }
+
+// C++ puts names of options in backticks, and writes them its own way.
+const inJavaScript = (message: string): string =>
+  message.replace(/`[a-z]+(_[a-z]+)+`/g, (name) =>
+    name.replace(/_./g, (pair) => pair.charAt(1).toUpperCase()),
+  );

@@ -1,18 +1,29 @@
 // SPDX-License-Identifier: MIT
 // Finds everything that a caller can get wrong, before any memory of WebAssembly is taken.
+import { uselessOfBuild, uselessOfExtract, type Useless } from './check-combination.js';
 import { KdManifoldError } from './errors.js';
 import { isLegal, rangeText, type OptionSpec } from './option-spec.js';
 import { analyzeOptions, buildOptions, extractOptions } from './options.js';
 import type {
   AnalyzeOptions,
   BuildOptions,
+  CompareOptions,
   ExtractOptions,
   MeshInput,
   PolygonMeshInput,
 } from './types.js';
 
-type Positions = MeshInput['positions'];
-type Indices = Uint16Array | Uint32Array;
+/** A mesh whose arrays are typed arrays that were looked at. */
+export interface CheckedMesh {
+  positions: Float32Array | Float64Array;
+  indices: Whole | null;
+  quads: Whole | null;
+  sourceFaces: Whole | null;
+  cornerNormals: Float32Array | null;
+}
+
+type Whole = Exclude<NonNullable<MeshInput['indices']>, readonly number[]>;
+type Typed = Float32Array | Float64Array | Whole;
 
 const fail = (message: string): never => {
   throw new KdManifoldError('INVALID_MESH', message);
@@ -26,79 +37,139 @@ function kindOf(value: unknown): string {
   return Array.isArray(value) ? 'a plain array' : typeof value;
 }
 
-function demandKind(value: unknown, name: string, kinds: string[], multiple: number): void {
+const reals = ['Float32Array', 'Float64Array'];
+const wholes = [
+  ...['Uint32Array', 'Uint16Array', 'Uint8Array', 'Uint8ClampedArray'],
+  ...['Int32Array', 'Int16Array', 'Int8Array'],
+];
+
+// Says how to get the first of `kinds` from what is none.
+function advice(value: unknown, name: string, kinds: string[]): string {
+  const [wanted = ''] = kinds;
   const kind = kindOf(value);
-  if (!kinds.includes(kind)) fail(`${name}: expected ${kinds.join(' or ')}, got ${kind}`);
-  const { length } = value as Positions;
-  if (length % multiple !== 0) fail(`${name}: length ${length} is not a multiple of ${multiple}`);
+  if (kind.startsWith('Big')) return `; ${wanted}.from(${name}, Number) makes one`;
+  if (kind === 'DataView' || kind === 'ArrayBuffer' || isBuffer(value)) {
+    return `; new ${wanted}(...) makes one of its bytes`;
+  }
+  if (ArrayBuffer.isView(value)) return `; ${wanted}.from(${name}) makes one`;
+  if (typeof value === 'object' && value !== null && 'array' in value) {
+    return '; its member array may be one';
+  }
+  return '';
 }
 
-function demandIndices(indices: Indices, name: string, vertices: number): void {
+const isBuffer = (value: unknown): boolean =>
+  /^\[object (Shared)?ArrayBuffer\]$/.test(Object.prototype.toString.call(value));
+
+// An array whose buffer went to another thread has no length any more.
+function isDetached({ buffer, length }: Typed): boolean {
+  if (length > 0) return false;
+  try {
+    new Uint8Array(buffer);
+    return false;
+  } catch {
+    return true;
+  }
+}
+
+const shown = (value: unknown): string =>
+  typeof value === 'string' || typeof value === 'bigint' ? String(value) : kindOf(value);
+
+// Takes a typed array as it is, and makes one of a plain array, whose members must be numbers.
+function takeNumbers(value: unknown, name: string, kinds: string[], multiple: number): Typed {
+  let taken = value as Typed;
+  if (Array.isArray(value)) {
+    const numbers: unknown[] = value;
+    const odd = numbers.findIndex((number) => typeof number !== 'number');
+    if (odd >= 0) fail(`${name}[${odd}] is ${shown(numbers[odd])}, which is no number`);
+    taken = Float64Array.from(numbers as number[]);
+  } else if (!kinds.includes(kindOf(value))) {
+    const names = kinds.slice(0, 2).join(' or ');
+    fail(`${name}: expected ${names}, got ${kindOf(value)}${advice(value, name, kinds)}`);
+  } else if (isDetached(taken)) {
+    fail(`${name}: its buffer was handed over to another thread, so the array is empty now`);
+  }
+  const { length } = taken;
+  if (length % multiple !== 0) fail(`${name}: length ${length} is not a multiple of ${multiple}`);
+  return taken;
+}
+
+function takeIndices(value: unknown, name: string, multiple: number, vertices: number): Whole {
+  const indices = takeNumbers(value, name, wholes, multiple);
   for (let i = 0; i < indices.length; ++i) {
-    if ((indices[i] as number) >= vertices) {
-      fail(`${name}[${i}] is ${indices[i]}, but there are only ${vertices} vertices`);
+    const index = indices[i] as number;
+    if (index >= vertices) {
+      fail(`${name}[${i}] is ${index}, but there are only ${vertices} vertices`);
+    }
+    if (index >>> 0 !== index) {
+      fail(`${name}[${i}] is ${index}; vertices are numbered 0, 1, 2 and so on`);
     }
   }
+  return Array.isArray(value) ? Uint32Array.from(indices) : (indices as Whole);
+}
+
+function takeReals(value: unknown, name: string): Float32Array | Float64Array {
+  const taken = takeNumbers(value, name, reals, 3) as Float32Array | Float64Array;
+  for (let i = 0; i < taken.length; ++i) {
+    const number = taken[i] as number;
+    // The difference is 0 for finite numbers only. Quicker than to call a function millions of times.
+    if (number - number !== 0) fail(`${name}[${i}] is ${number}; coordinates must be finite`);
+  }
+  return taken;
 }
 
 /** Checks the arrays of a mesh and returns them. A mesh without any face is accepted. */
-export function checkPolygonMesh(mesh: PolygonMeshInput): PolygonMeshInput {
+export function checkPolygonMesh(mesh: PolygonMeshInput): CheckedMesh {
   if (typeof mesh !== 'object' || mesh === null) {
     fail(`mesh: expected an object with positions and indices, got ${kindOf(mesh)}`);
   }
-  const {
-    positions,
-    indices = null,
-    quads = null,
-    sourceFaces = null,
-    cornerNormals = null,
-  } = mesh;
-  demandKind(positions, 'positions', ['Float32Array', 'Float64Array'], 3);
-  for (let i = 0; i < positions.length; ++i) {
-    const value = positions[i] as number;
-    // The difference is 0 for finite numbers only. Quicker than to call a function millions of times.
-    if (value - value !== 0) fail(`positions[${i}] is ${value}; coordinates must be finite`);
-  }
+  const positions = takeReals(mesh.positions, 'positions');
   const vertices = positions.length / 3;
-  if (indices === null) {
-    if (vertices % 3 !== 0) {
-      fail(`positions: without indices, length ${positions.length} must be a multiple of 9`);
-    }
-  } else {
-    demandKind(indices, 'indices', ['Uint16Array', 'Uint32Array'], 3);
-    demandIndices(indices, 'indices', vertices);
+  const indices = isMissing(mesh.indices)
+    ? null
+    : takeIndices(mesh.indices, 'indices', 3, vertices);
+  if (indices === null && vertices % 3 !== 0) {
+    fail(`positions: without indices, length ${positions.length} must be a multiple of 9`);
   }
-  if (quads !== null) {
-    demandKind(quads, 'quads', ['Uint32Array'], 4);
-    demandIndices(quads, 'quads', vertices);
-  }
-  if (sourceFaces !== null) {
-    demandKind(sourceFaces, 'sourceFaces', ['Uint32Array'], 1);
-    const faces = (indices?.length ?? vertices) / 3 + (quads?.length ?? 0) / 4;
-    if (sourceFaces.length !== faces) {
-      fail(`sourceFaces: length ${sourceFaces.length}, but there are ${faces} faces`);
-    }
-  }
-  if (cornerNormals !== null) {
-    demandKind(cornerNormals, 'cornerNormals', ['Float32Array'], 3);
-    const corners = (indices?.length ?? vertices) + (quads?.length ?? 0);
-    if (cornerNormals.length !== 3 * corners) {
-      fail(
-        `cornerNormals: length ${cornerNormals.length}, but there are ${corners} corners of faces`,
-      );
-    }
-  }
+  const quads = isMissing(mesh.quads) ? null : takeIndices(mesh.quads, 'quads', 4, vertices);
+  const sourceFaces = isMissing(mesh.sourceFaces)
+    ? null
+    : takeSources(mesh.sourceFaces, (indices?.length ?? vertices) / 3 + (quads?.length ?? 0) / 4);
+  const cornerNormals = isMissing(mesh.cornerNormals)
+    ? null
+    : takeNormals(mesh.cornerNormals, (indices?.length ?? vertices) + (quads?.length ?? 0));
   return { positions, indices, quads, sourceFaces, cornerNormals };
 }
 
+const isMissing = (value: unknown): value is null | undefined =>
+  value === undefined || value === null;
+
+function takeSources(value: unknown, faces: number): Whole {
+  const sourceFaces = takeNumbers(value, 'sourceFaces', wholes, 1);
+  if (sourceFaces.length !== faces) {
+    fail(`sourceFaces: length ${sourceFaces.length}, but there are ${faces} faces`);
+  }
+  return Array.isArray(value) ? Uint32Array.from(sourceFaces) : (sourceFaces as Whole);
+}
+
+function takeNormals(value: unknown, corners: number): Float32Array {
+  const normals = takeNumbers(value, 'cornerNormals', ['Float32Array'], 3);
+  if (normals.length !== 3 * corners) {
+    fail(`cornerNormals: length ${normals.length}, but there are ${corners} corners of faces`);
+  }
+  return Array.isArray(value) ? Float32Array.from(normals) : (normals as Float32Array);
+}
+
 /** Checks a mesh to be converted: it must have triangles, at least one, and may have no quads. */
-export function checkMesh(mesh: MeshInput): MeshInput {
-  const { positions, indices, sourceFaces } = checkPolygonMesh(
-    typeof mesh === 'object' && mesh !== null ? { ...mesh, quads: null } : mesh,
+export function checkMesh(mesh: MeshInput): CheckedMesh {
+  const checked = checkPolygonMesh(
+    typeof mesh === 'object' && mesh !== null
+      ? { ...mesh, quads: null, cornerNormals: null }
+      : mesh,
   );
-  if (positions.length === 0) fail('the mesh has no vertices');
-  if (indices?.length === 0) fail('the mesh has no faces');
-  return { positions, indices, sourceFaces };
+  if (checked.positions.length === 0) fail('the mesh has no vertices');
+  if (checked.indices?.length === 0) fail('the mesh has no faces');
+  return checked;
 }
 
 function checkOption(name: string, value: unknown, spec: OptionSpec): void {
@@ -146,17 +217,33 @@ function pick(given: object, table: Record<string, OptionSpec>, others: string[]
   return taken;
 }
 
+function refuseUseless(useless: Useless | undefined): void {
+  if (useless === undefined) return;
+  throw new KdManifoldError('INVALID_OPTION', `${useless.name}: ${useless.when}`);
+}
+
 /** Checks and returns the options of `buildGrid`. Those named in `others` are left to others. */
 export function checkBuildOptions(given: object, others: string[]): BuildOptions {
-  return pick(given, buildOptions, others);
+  const options: BuildOptions = pick(given, buildOptions, others);
+  refuseUseless(uselessOfBuild(options));
+  return options;
 }
 
 /** Checks and returns the options of `Grid.extract`. Those named in `others` are left to others. */
 export function checkExtractOptions(given: object, others: string[]): ExtractOptions {
-  return pick(given, extractOptions, others);
+  const options: ExtractOptions = pick(given, extractOptions, others);
+  refuseUseless(uselessOfExtract(options));
+  return options;
 }
 
 /** Checks and returns the options of `analyze`. */
 export function checkAnalyzeOptions(given: object): AnalyzeOptions {
   return pick(given, analyzeOptions, []);
+}
+
+const compareOptions = { error: { flag: '--check', kind: 'boolean', default: false } } as const;
+
+/** Checks and returns the options of `Grid.compare`. */
+export function checkCompareOptions(given: object): CompareOptions {
+  return pick(given, compareOptions, []);
 }

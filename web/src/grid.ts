@@ -1,14 +1,23 @@
 // SPDX-License-Identifier: MIT
 // The handle of a grid that lives in WebAssembly memory.
 import { call, type Health } from './call.js';
-import { checkExtractOptions } from './check-input.js';
+import {
+  checkCompareOptions,
+  checkExtractOptions,
+  checkMesh,
+  checkPolygonMesh,
+} from './check-input.js';
 import { KdManifoldError } from './errors.js';
 import type { RawGrid } from './kdmanifold.js';
 import type {
+  Account,
+  CompareOptions,
   ExtractedMesh,
   ExtractOptions,
   GridStats,
   InputReport,
+  MeshInput,
+  PolygonMeshInput,
   ProgressOptions,
 } from './types.js';
 import type { OwnUint8Array } from './outside-types.js';
@@ -70,6 +79,33 @@ export class Grid {
     const raw = this.#demand();
     const checked = checkExtractOptions(options, ['onProgress']);
     return call(this.#health, options.onProgress, (progress) => raw.extract(checked, progress));
+  }
+
+  /**
+   * Holds a result against the mesh that the grid was built from: what of the mesh the result does not come near and,
+   * on request, how far the two are apart.
+   *
+   * @param input - the mesh that was given to `buildGrid`
+   * @param result - what `extract` made of the grid
+   * @param options - `error`: measure distances too
+   * @returns what is lost, the distances or null, and a warning if much is lost
+   * @throws {@link KdManifoldError} with `INVALID_MESH`, `INVALID_OPTION`, `OUT_OF_MEMORY`, `DELETED`
+   *
+   * @example
+   * ```js
+   * import { load } from 'kdmanifold';
+   *
+   * const grid = (await load()).buildGrid({ positions, indices });
+   * const { lost, error } = grid.compare({ positions, indices }, grid.extract(), { error: true });
+   * console.log(lost.area, error.toInput.largest, error.toOutput.largest);
+   * grid.delete();
+   * ```
+   */
+  compare(input: MeshInput, result: PolygonMeshInput, options: CompareOptions = {}): Account {
+    const raw = this.#demand();
+    const { error = false } = checkCompareOptions(options);
+    const [from, to] = [checkMesh(input), checkPolygonMesh(result)];
+    return call(this.#health, undefined, () => raw.compare(from, to, error));
   }
 
   /**

@@ -2,6 +2,7 @@
 // The types of what Emscripten generates from wasm/bindings.cpp. Only library.ts and grid.ts see them.
 import type { ErrorCode } from './errors.js';
 import type {
+  Account,
   ExtractedMesh,
   GridStats,
   InputReport,
@@ -19,6 +20,7 @@ export type RawProgress = ((fraction: number, phase: string) => boolean) | null;
 
 export interface RawGrid {
   extract(options: object, progress: RawProgress): Answer<ExtractedMesh>;
+  compare(input: PolygonMeshInput, result: PolygonMeshInput, error: boolean): Answer<Account>;
   save(): Answer<Uint8Array<ArrayBuffer>>;
   stats(): GridStats;
   input(): InputReport;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Types of reports, keys of their parts. Made by scripts/generate-options.mjs, not by hand.
 
-import type { OwnUint32Array } from './outside-types.js';
+import type { OwnFloat64Array, OwnUint32Array } from './outside-types.js';
 
 /** What the grid was built from. */
 export interface InputReport {
@@ -104,6 +104,11 @@ export interface GridStats {
   topologyResolved: boolean;
   /** Leaves given up at the depth limit or below the least size of a cell. */
   unresolvedLeaves: number;
+  /**
+   * Centres of these leaves, three coordinates each: of all, or, of more than 1,000, of every
+   * second, fourth and so on. Saved grids do not keep them. In model units.
+   */
+  unresolvedPositions: OwnFloat64Array;
   /** Faces between leaves with more than two hits. */
   ambiguousFaces: number;
   /** Ambiguous faces that a trace of the input could not decide. */
@@ -143,6 +148,44 @@ export interface ExtractReport {
    * nobody has looked.
    */
   crossings: number | null;
+}
+
+/** What of the input the result does not come near. */
+export interface LostArea {
+  /** Area of the input that the result does not come near. In square model units. */
+  area: number;
+  /** Pieces of it, joined by vertices. */
+  parts: number;
+  /** Area of the largest piece. In square model units. */
+  largest: number;
+  /** `area` as a fraction of the input's whole area. */
+  share: number;
+  /**
+   * Not in `area`: what lies within the solid, so that the inside rule drops it. Where the input is
+   * closed, only walls with solid on both sides. In square model units.
+   */
+  innerArea: number;
+  /** The input's triangles that are lost, in whole or part. */
+  faces: OwnUint32Array;
+}
+
+/** How far points of one surface are from another. */
+export interface Deviation {
+  /** Of all vertices and points that were looked at. In model units. */
+  largest: number;
+  /** Root of the mean square over the area. In model units. */
+  rms: number;
+}
+
+/** How far a result and its input are apart. */
+export interface MeshError {
+  /** How far the result's points are from the input; those of what closes holes count too. */
+  toInput: Deviation;
+  /**
+   * How far the input's points are from the result, without what lies within the solid, more than a
+   * tolerance deep.
+   */
+  toOutput: Deviation;
 }
 
 /**

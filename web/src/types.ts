@@ -1,37 +1,58 @@
 // SPDX-License-Identifier: MIT
 // What goes in and what comes out. Options and reports have files of their own.
 import type { OwnFloat32Array, OwnFloat64Array, OwnUint32Array } from './outside-types.js';
-import type { ExtractReport, GridStats, InputReport, OutputReport } from './reports.js';
-
-export type { AnalyzeOptions, BuildOptions, ExtractOptions } from './options.js';
-export type {
+import type {
   ExtractReport,
   GridStats,
   InputReport,
+  LostArea,
+  MeshError,
+  OutputReport,
+} from './reports.js';
+
+export type { AnalyzeOptions, BuildOptions, ExtractOptions } from './options.js';
+export type {
+  Deviation,
+  ExtractReport,
+  GridStats,
+  InputReport,
+  LostArea,
   MeshDefects,
+  MeshError,
   MeshPart,
   MeshReport,
   OutputReport,
   SelfIntersections,
 } from './reports.js';
 
+/** Numbers of vertices or faces, in whatever array. */
+export type WholeNumbers =
+  | Uint32Array
+  | Uint16Array
+  | Uint8Array
+  | Uint8ClampedArray
+  | Int32Array
+  | Int16Array
+  | Int8Array
+  | readonly number[];
+
 /** A mesh as the caller has it. */
 export interface MeshInput {
   /** Coordinates, three per vertex. */
-  positions: Float32Array | Float64Array;
+  positions: Float32Array | Float64Array | readonly number[];
   /** Vertex numbers, three per triangle, counter-clockwise seen from outside. Without them every
    * three positions are a triangle; vertices of exactly equal position are joined anyway. */
-  indices?: Uint16Array | Uint32Array | null;
+  indices?: WholeNumbers | null;
   /** One number per triangle that `sourceFaces` of the result refers to; else the triangle's own. */
-  sourceFaces?: Uint32Array | null;
+  sourceFaces?: WholeNumbers | null;
 }
 
 /** A mesh that may also have quads, as `Grid.extract` gives on request. */
 export interface PolygonMeshInput extends MeshInput {
   /** Vertex numbers, four per quad. */
-  quads?: Uint32Array | null;
+  quads?: WholeNumbers | null;
   /** Unit normals for shading, three numbers per corner of a triangle, then of a quad. */
-  cornerNormals?: Float32Array | null;
+  cornerNormals?: Float32Array | readonly number[] | null;
 }
 
 /** A mesh as the library gives it: copies that the caller owns. */
@@ -89,6 +110,7 @@ export interface Warning {
     | 'FACES_SKIPPED'
     | 'FACETS_MISCOUNTED'
     | 'NOT_READ'
+    | 'AREA_LOST'
     | 'PARTS_LOST'
     | 'PARTS_DROPPED'
     | 'TOLERANCE_WIDENED'
@@ -110,11 +132,31 @@ export interface ExtractedMesh extends Mesh {
   report: ExtractReport & { warnings: Warning[] };
 }
 
+/** What `Grid.compare` finds. */
+export interface Account {
+  /** What of the input the result does not come near. */
+  lost: LostArea;
+  /** How far the two are apart; null unless it was asked for. */
+  error: MeshError | null;
+  /** `AREA_LOST`, if more than a thousandth of the input's area is lost. */
+  warnings: Warning[];
+}
+
+/** What `Grid.compare` is told. */
+export interface CompareOptions {
+  /** Measure how far the two are apart; takes longer than all the rest. Default false. */
+  error?: boolean;
+}
+
 /** The account of one conversion. */
 export interface Report {
   input: InputReport;
   grid: GridStats;
   output: OutputReport;
+  /** What of the input the result does not come near. */
+  lost: LostArea;
+  /** How far result and input are apart; null without the option `check`. */
+  error: MeshError | null;
   /** What one should know before one trusts the mesh, the gravest first. */
   warnings: Warning[];
   /** Wall-clock time of the steps. */

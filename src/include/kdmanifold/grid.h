@@ -4,6 +4,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "kdmanifold/types.h"
 
@@ -81,9 +82,12 @@ struct GridStats {
   /// false.
   bool topology_resolved = false;
   Index unresolved_leaves = 0;  ///< leaves given up at the depth limit or the least size
-  Index ambiguous_faces = 0;    ///< minimal faces with more than two hits
-  Index invented_hits = 0;      ///< hits of no input face, where holes were closed
-  Index guessed_faces = 0;      ///< ambiguous faces that a trace of the input could not decide
+  /// Centres of these leaves, in model units: of all, or, of more than 1,000, of every second,
+  /// fourth and so on. Saved grids do not keep them.
+  std::vector<Vec3> unresolved_positions;
+  Index ambiguous_faces = 0;  ///< minimal faces with more than two hits
+  Index invented_hits = 0;    ///< hits of no input face, where holes were closed
+  Index guessed_faces = 0;    ///< ambiguous faces that a trace of the input could not decide
 };
 
 /// A kd-tree grid with its hits and links. Movable and copyable; a moved-from grid is empty.

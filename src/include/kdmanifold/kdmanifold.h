@@ -3,6 +3,7 @@
 // goes through read_mesh, build_grid and extract to write_mesh.
 #pragma once
 
+#include "kdmanifold/account.h"
 #include "kdmanifold/analyze.h"
 #include "kdmanifold/build.h"
 #include "kdmanifold/error.h"

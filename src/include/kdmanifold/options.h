@@ -6,6 +6,7 @@
 
 #include <array>
 #include <concepts>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -279,9 +280,19 @@ void for_each_field(Options& options, Visit&& visit) {
 }
 
 /// Throws `kInvalidOption` for the first option that is outside of its range, is no number or has a
-/// value without a word; the message names the option, its value and what is legal.
+/// value without a word; the message names the option, its value and what is legal. Then for the
+/// first that differs from its default and has no effect beside the others.
 void check_options(const BuildOptions& options);
 /// See above.
 void check_options(const ExtractOptions& options);
+
+/// Says whether an option was given, by its name.
+using IsGiven = std::function<bool(std::string_view)>;
+
+/// Throws `kInvalidOption` for the first option that was given and has no effect beside the others.
+/// In the message, names of options stand in backticks.
+void check_combination(const BuildOptions& options, const IsGiven& given);
+/// See above.
+void check_combination(const ExtractOptions& options, const IsGiven& given);
 
 }  // namespace kdm

@@ -4,6 +4,7 @@
 // entry here.
 #pragma once
 
+#include "kdmanifold/account.h"
 #include "kdmanifold/analyze.h"
 #include "kdmanifold/extract.h"
 #include "kdmanifold/field.h"
@@ -122,6 +123,11 @@ void for_each_field(const GridStats& stats, Visit&& visit) {
   visit(ReportField{"unresolved_leaves",
                     "Leaves given up at the depth limit or below the least size of a cell"},
         stats.unresolved_leaves);
+  visit(ReportField{"unresolved_positions",
+                    "Centres of these leaves, three coordinates each: of all, or, of more than "
+                    "1,000, of every second, fourth and so on. Saved grids do not keep them",
+                    Unit::kModelUnits},
+        stats.unresolved_positions);
   visit(ReportField{"ambiguous_faces", "Faces between leaves with more than two hits"},
         stats.ambiguous_faces);
   visit(ReportField{"guessed_faces", "Ambiguous faces that a trace of the input could not decide"},
@@ -161,6 +167,45 @@ void for_each_field(const ExtractReport& report, Visit&& visit) {
                     "the surface nearer to each other than 32 bits tell apart are in each other's "
                     "way, or sheets cross. Otherwise null: nobody has looked"},
         report.crossings);
+}
+
+/// See `for_each_field` of `InputReport`.
+template <typename Visit>
+void for_each_field(const LostArea& lost, Visit&& visit) {
+  visit(
+      ReportField{"area", "Area of the input that the result does not come near", Unit::kModelArea},
+      lost.area);
+  visit(ReportField{"parts", "Pieces of it, joined by vertices"}, lost.parts);
+  visit(ReportField{"largest", "Area of the largest piece", Unit::kModelArea}, lost.largest);
+  visit(ReportField{"share", "`area` as a fraction of the input's whole area"}, lost.share);
+  visit(ReportField{"inner_area",
+                    "Not in `area`: what lies within the solid, so that the inside rule drops it. "
+                    "Where the input is closed, only walls with solid on both sides",
+                    Unit::kModelArea},
+        lost.inner_area);
+  visit(ReportField{"faces", "The input's triangles that are lost, in whole or part"}, lost.faces);
+}
+
+/// See `for_each_field` of `InputReport`.
+template <typename Visit>
+void for_each_field(const Deviation& deviation, Visit&& visit) {
+  visit(ReportField{"largest", "Of all vertices and points that were looked at", Unit::kModelUnits},
+        deviation.largest);
+  visit(ReportField{"rms", "Root of the mean square over the area", Unit::kModelUnits},
+        deviation.rms);
+}
+
+/// See `for_each_field` of `InputReport`.
+template <typename Visit>
+void for_each_field(const MeshError& error, Visit&& visit) {
+  visit(ReportField{"to_input",
+                    "How far the result's points are from the input; those of what closes holes "
+                    "count too"},
+        error.to_input);
+  visit(ReportField{"to_output",
+                    "How far the input's points are from the result, without what lies within the "
+                    "solid, more than a tolerance deep"},
+        error.to_output);
 }
 
 /// See `for_each_field` of `InputReport`.

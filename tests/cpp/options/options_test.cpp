@@ -55,6 +55,9 @@ TEST(Reports, EveryMemberIsListed) {
   expect_all_members_listed<MeshReport>();
   expect_all_members_listed<SelfIntersections>();
   expect_all_members_listed<MeshDefects>();
+  expect_all_members_listed<LostArea>();
+  expect_all_members_listed<MeshError>();
+  expect_all_members_listed<Deviation>();
 }
 
 TEST(Options, NamesAndRangesAreWrittenAsUsersReadThem) {
@@ -89,6 +92,7 @@ std::string complaint(const Options& options) {
 template <typename Options>
 void expect_ranges_checked() {
   Options options;
+  if constexpr (std::is_same_v<Options, ExtractOptions>) options.normals = true;  // for the angle
   for_each_field(options, [&](const OptionField& field, auto& member) {
     using Value = std::decay_t<decltype(member)>;
     const Value standard = member;
@@ -143,6 +147,44 @@ TEST(Options, TheLibraryChecksThem) {
   const Grid grid = build_grid(shapes::cube());
   EXPECT_THROW(extract(grid, {.crease_angle = 181}), Error);
   EXPECT_NO_THROW(extract(grid, {.split_error = kInfinity, .link_error = kInfinity}));
+}
+
+std::string refusal(const auto& options) {
+  try {
+    check_options(options);
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kInvalidOption);
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Options, WhatHasNoEffectIsRefusedByName) {
+  EXPECT_EQ(refusal(BuildOptions{.tolerance = 0.1, .relative_tolerance = 0.1}),
+            "`relative_tolerance`: not together with `tolerance`");
+  EXPECT_EQ(refusal(BuildOptions{.strategy = SplitStrategy::kUniform, .tolerance = 0.1}),
+            "`tolerance`: only with `strategy` adaptive, octree or feature");
+  EXPECT_EQ(refusal(BuildOptions{.strategy = SplitStrategy::kMedian, .relative_tolerance = 0.1}),
+            "`relative_tolerance`: only with `strategy` adaptive, octree or feature");
+  EXPECT_EQ(refusal(BuildOptions{.inside = InsideRule::kOdd, .winding_threshold = 0.1}),
+            "`winding_threshold`: only with `inside` repair");
+  EXPECT_EQ(refusal(BuildOptions{.inside = InsideRule::kSheet, .largest_hole = 0.1}),
+            "`largest_hole`: only with `inside` repair");
+  EXPECT_EQ(refusal(BuildOptions{.largest_hole = 0.1, .thicken = 0.1}),
+            "`largest_hole`: not together with `thicken`, which leaves no holes");
+  EXPECT_EQ(refusal(BuildOptions{.inside = InsideRule::kSheet, .pairing = Pairing::kOutside}),
+            "`pairing`: only trace or hermite with `inside` sheet");
+  EXPECT_EQ(refusal(ExtractOptions{.quads = true, .strict = Strict::kEmbedded}),
+            "`quads`: not together with `strict` embedded");
+  EXPECT_EQ(refusal(ExtractOptions{.quads = true, .link_error = 1}),
+            "`link_error`: not together with `quads`");
+  EXPECT_EQ(refusal(ExtractOptions{.crease_angle = 20}), "`crease_angle`: only with `normals`");
+  // Defaults do no harm.
+  EXPECT_EQ(refusal(BuildOptions{.tolerance = 0.1, .relative_tolerance = 0.001}), "");
+  EXPECT_EQ(refusal(ExtractOptions{.quads = true, .strict = Strict::kManifold}), "");
+  EXPECT_EQ(refusal(ExtractOptions{.normals = true, .crease_angle = 20}), "");
+  const Grid sheet = build_grid(shapes::open(shapes::cube()), {.inside = InsideRule::kSheet});
+  EXPECT_THROW(extract(sheet, {.parts = Parts::kLargest}), Error);
 }
 
 }  // namespace

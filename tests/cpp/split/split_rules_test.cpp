@@ -310,10 +310,28 @@ TEST(SplitRules, WhatIsGivenUpIsReported) {
   const Grid grid = build_grid(tilted(shapes::thin_walled_box(0.01)), {.depth = 6});
   EXPECT_FALSE(grid.stats().topology_resolved);
   EXPECT_GT(grid.stats().unresolved_leaves, 0u);
+  EXPECT_EQ(grid.stats().unresolved_positions.size(), grid.stats().unresolved_leaves);
   for (const SplitStrategy strategy : {SplitStrategy::kMedian, SplitStrategy::kUniform}) {
     const Grid other = build_grid(shapes::cube(), {.strategy = strategy, .depth = 6});
     EXPECT_FALSE(other.stats().topology_resolved) << "these do not look";
     EXPECT_EQ(other.stats().unresolved_leaves, 0u);
+  }
+}
+
+// Two spheres cross in a circle: there, and only there, topology is given up.
+TEST(SplitRules, PositionsTellWhereTopologyWasGivenUp) {
+  const Mesh spheres = shapes::merged(
+      {shapes::icosphere(4), shapes::translated(shapes::icosphere(4), Vec3(1, 0, 0))});
+  for (const double tolerance : {0.002, 0.0005}) {
+    const GridStats stats = build_grid(spheres, {.tolerance = tolerance}).stats();
+    ASSERT_GT(stats.unresolved_leaves, 0u);
+    const std::size_t kept = stats.unresolved_positions.size();
+    EXPECT_LE(kept, 1000u);
+    EXPECT_GE(kept, std::min<std::size_t>(stats.unresolved_leaves, 500));
+    for (const Vec3& p : stats.unresolved_positions) {
+      EXPECT_NEAR(p.x(), 0.5, 0.2);
+      EXPECT_NEAR(std::hypot(p.y(), p.z()), std::sqrt(0.75), 0.2);
+    }
   }
 }
 

@@ -192,8 +192,16 @@ TEST_F(Cli, SameInputSameBytes) {
 
 TEST_F(Cli, ReportHasTheDocumentedKeys) {
   const Json json = report("cube.obj -o out.ply --check" + kCoarse);
-  EXPECT_EQ(keys(json),
-            (Names{"input", "grid", "output", "warnings", "check", "seconds", "peakBytes"}));
+  EXPECT_EQ(keys(json), (Names{"input", "grid", "output", "lost", "error", "warnings", "check",
+                               "seconds", "peakBytes"}));
+  EXPECT_EQ(keys(json["lost"]), (Names{"area", "parts", "largest", "share", "innerArea", "faces"}));
+  EXPECT_EQ(keys(json["error"]), (Names{"toInput", "toOutput"}));
+  for (const char* direction : {"toInput", "toOutput"}) {
+    EXPECT_EQ(keys(json["error"][direction]), (Names{"largest", "rms"}));
+    EXPECT_LT(json["error"][direction]["largest"], 1e-5);
+  }
+  EXPECT_EQ(json["lost"]["area"], 0);
+  EXPECT_EQ(json["lost"]["faces"], 0);
   EXPECT_EQ(keys(json["input"]),
             (Names{"vertices",       "triangles",        "closed",          "boundaryEdges",
                    "boundaryLoops",  "nonManifoldEdges", "degenerateFaces", "cancelledFaces",
@@ -204,7 +212,7 @@ TEST_F(Cli, ReportHasTheDocumentedKeys) {
   EXPECT_EQ(keys(json["grid"]),
             (Names{"cells", "leaves", "hits", "depth", "sheet", "bytes", "askedTolerance",
                    "tolerance", "windingThreshold", "topologyResolved", "unresolvedLeaves",
-                   "ambiguousFaces", "guessedFaces", "inventedHits"}));
+                   "unresolvedPositions", "ambiguousFaces", "guessedFaces", "inventedHits"}));
   EXPECT_EQ(keys(json["output"]), (Names{"vertices",
                                          "triangles",
                                          "quads",
@@ -252,7 +260,8 @@ TEST_F(Cli, ReportHasTheDocumentedKeys) {
 
 TEST_F(Cli, ReportOmitsWhatWasNotDone) {
   const Json json = report("cube.obj" + kCoarse);
-  EXPECT_EQ(keys(json), (Names{"input", "grid", "output", "warnings", "seconds", "peakBytes"}));
+  EXPECT_EQ(keys(json),
+            (Names{"input", "grid", "output", "lost", "warnings", "seconds", "peakBytes"}));
   EXPECT_EQ(keys(json["seconds"]), (Names{"read", "build", "extract"}));
   EXPECT_EQ(files(), (std::set<std::string>{"cube.obj"}));
 }
@@ -359,8 +368,8 @@ TEST_F(Cli, StatsDescribeTheInput) {
 
   // With an output both come, and the input's keys are those of the grid's report.
   const Json both = report("cube.obj --stats -o out.obj --check" + kCoarse);
-  EXPECT_EQ(keys(both), (Names{"input", "defects", "grid", "output", "warnings", "check", "seconds",
-                               "peakBytes"}));
+  EXPECT_EQ(keys(both), (Names{"input", "defects", "grid", "output", "lost", "error", "warnings",
+                               "check", "seconds", "peakBytes"}));
   EXPECT_EQ(both["input"], report("cube.obj" + kCoarse)["input"]);
   EXPECT_EQ(keys(both["seconds"]), (Names{"read", "analyze", "build", "extract", "write"}));
   EXPECT_TRUE(fs::exists(folder_ / "out.obj"));
@@ -409,8 +418,7 @@ TEST_F(Cli, TolerancesDecideHowMuchIsSplit) {
   };
   EXPECT_LT(triangles("--tolerance 0.1"), triangles("--tolerance 0.01"));
   EXPECT_LT(triangles("--relative-tolerance 1e-1"), triangles("--relative-tolerance=1e-2"));
-  // The absolute one goes first, unless it is 0.
-  EXPECT_EQ(triangles("--tolerance 0.1 --relative-tolerance 0.001"), triangles("--tolerance .1"));
+  // An absolute tolerance of 0 is none.
   EXPECT_EQ(triangles("--tolerance 0 --relative-tolerance 0.1"),
             triangles("--relative-tolerance 0.1"));
 }

@@ -39,7 +39,8 @@ const std::vector<std::string> kRooms = {"include/kdmanifold",
                                          "extract/place",
                                          "extract/mend",
                                          "extract/embed",
-                                         "extract"};
+                                         "extract",
+                                         "account"};
 
 // What stands outside of the library sees its public headers only.
 const std::vector<std::string> kOutside = {"src/cli", "wasm"};

@@ -42,8 +42,12 @@ TEST(Thin, APlateOfAMillionthKeepsItsTwoSides) {
   for (const bool turned : {false, true}) {
     const Mesh mesh = turned ? shapes::rotated(plate, Vec3(1, 2, 3), 0.7) : plate;
     for (const SplitStrategy strategy : {SplitStrategy::kUniform, SplitStrategy::kAdaptive}) {
-      BuildOptions options{.strategy = strategy, .relative_tolerance = 0.01};
-      if (strategy == SplitStrategy::kUniform) options.depth = 12;
+      BuildOptions options{.strategy = strategy};
+      if (strategy == SplitStrategy::kUniform) {
+        options.depth = 12;
+      } else {
+        options.relative_tolerance = 0.01;
+      }
       const Grid grid = build_grid(mesh, options);
       ASSERT_NO_THROW(validate(grid.data()));
       EXPECT_LT(grid.stats().depth, 22) << "no cell is as small as the plate is thin";

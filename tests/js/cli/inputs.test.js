@@ -80,6 +80,8 @@ test('a bad input does not stop the others', () =>
         'input',
         'grid',
         'output',
+        'lost',
+        'error',
         'warnings',
         'check',
         'seconds',

@@ -124,6 +124,53 @@ const wrong = [
   ],
   [['-', '--out-dir', 'inner'], '--out-dir: standard input has no name that its result could have'],
   [['a.kdgrid', '--out-dir', 'inner'], '--out-dir: what a.kdgrid becomes is for --format to say'],
+  [['a.obj', '--no-strict', '--strict=off'], '--no-strict: not together with --strict'],
+  [['a.obj', '--format', 'stl'], '--format: only with -o or --out-dir'],
+  [
+    ['a.obj', '--tolerance', '1', '--relativeTolerance', '0.001'],
+    '--relativeTolerance: not together with --tolerance',
+  ],
+  [
+    ['a.obj', '--tolerance=1', '--strategy', 'uniform'],
+    '--tolerance: only with --strategy adaptive, octree or feature',
+  ],
+  [
+    ['a.obj', '--relative-tolerance=1', '--strategy', 'median'],
+    '--relative-tolerance: only with --strategy adaptive, octree or feature',
+  ],
+  [
+    ['a.obj', '--windingThreshold', '0', '--inside', 'odd'],
+    '--windingThreshold: only with --inside repair',
+  ],
+  [
+    ['a.obj', '--largest-hole', '1', '--inside', 'sheet'],
+    '--largest-hole: only with --inside repair',
+  ],
+  [
+    ['a.obj', '--largest-hole', '1', '--thicken', '1'],
+    '--largest-hole: not together with --thicken, which leaves no holes',
+  ],
+  [
+    ['a.obj', '--pairing', 'inside', '--inside', 'sheet'],
+    '--pairing: only trace or hermite with --inside sheet',
+  ],
+  [['a.obj', '--quads', '--strict', 'embedded'], '--quads: not together with --strict embedded'],
+  [['a.obj', '--quads', '--linkError', '1'], '--linkError: not together with --quads'],
+  [['a.obj', '--crease-angle', '30'], '--crease-angle: only with --normals'],
+  [
+    ['a.obj', '--normals', '-o', 'x.stl'],
+    'a.obj: --normals: of the files only .obj and .glb have them',
+  ],
+  [
+    ['a.obj', '--inside', 'sheet', '--parts', 'largest'],
+    'a.obj: --parts: only all for a sheet, which encloses nothing',
+  ],
+  [
+    ['open.obj', '--largestHole', '0.001'],
+    expect.stringMatching(
+      /^open\.obj: 1 of 1 holes are wider than --largestHole, which is 0\.001;/,
+    ),
+  ],
   [['a.obj', '--json', '--quiet'], '--quiet: not together with --json, which prints a report'],
   [
     ['a.kdgrid', '--pairing', 'trace', '--depth=9'],
@@ -141,6 +188,8 @@ test.each(wrong.map(([args, message]) => [args.join(' '), args, message]))(
   (_, args, message) =>
     withFolder((folder) => {
       for (const name of ['a.obj', 'b.obj']) writeMesh(kdm, join(folder, name), cube());
+      const { positions, indices } = cube();
+      writeMesh(kdm, join(folder, 'open.obj'), { positions, indices: indices.slice(3) });
       writeFileSync(join(folder, 'old.obj'), 'precious');
       mkdirSync(join(folder, 'inner'));
       const before = namesIn(folder);

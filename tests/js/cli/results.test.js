@@ -34,6 +34,12 @@ const optionSets = [
   ['--strategy', 'octree', '--depth', '15', '--thicken', '0.2'],
 ];
 
+// Only some files have normals.
+const withoutNormals = (set) => {
+  const at = set.indexOf('--normals');
+  return at < 0 ? set : [...set.slice(0, at), ...set.slice(at + 3)];
+};
+
 test.each(optionSets.map((set) => [set.join(' '), set]))(
   'the same bytes and numbers from both: %s',
   (_, set) =>
@@ -43,7 +49,8 @@ test.each(optionSets.map((set) => [set.join(' '), set]))(
       for (const format of ['obj', 'stl', 'ply', 'off', 'glb']) {
         const [native, node] = programs.map(([name, run]) => {
           const output = join(folder, `${name}.${format}`);
-          const result = run([input, '-o', output, '--json', '--check', ...set]);
+          const held = ['obj', 'glb'].includes(format) ? set : withoutNormals(set);
+          const result = run([input, '-o', output, '--json', '--check', ...held]);
           expect(result.stderr).toBe('');
           const report = JSON.parse(result.stdout);
           expect(result.status).toBe(report.output.twoManifold ? 0 : 1);
@@ -52,7 +59,7 @@ test.each(optionSets.map((set) => [set.join(' '), set]))(
         expect(node.bytes.equals(native.bytes)).toBe(true);
         expect(keysOf(node.report)).toEqual(keysOf(native.report));
         expect(JSON.stringify(keysOf(node.report))).toBe(JSON.stringify(keysOf(native.report)));
-        for (const part of ['input', 'output', 'check']) {
+        for (const part of ['input', 'output', 'lost', 'error', 'check']) {
           expect(node.report[part]).toEqual(native.report[part]);
         }
         // Sizes in memory differ with the width of pointers; nothing else does.

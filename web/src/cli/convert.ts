@@ -4,14 +4,14 @@ import { checkFolderOf, checkTarget, makeFolder, readAll, writeAll } from './fil
 import { inputFormat, inputName, outputFormat, type FileFormat } from './formats.js';
 import { readGlb, type GlbScene } from './glb-read.js';
 import { writeGlb } from './glb-write.js';
-import { converts, type Command, type FileOptions } from './options.js';
+import { converts, withTypedNames, type Command } from './options.js';
 import type { Task } from './plan.js';
 import type { ProgressLine } from './progress.js';
 import type { CliReport } from './report.js';
 import { KdManifoldError } from '../errors.js';
 import type { Grid } from '../grid.js';
 import type { KdManifold } from '../library.js';
-import type { Mesh } from '../types.js';
+import type { Account, Mesh, MeshInput } from '../types.js';
 
 // What a task's files are: nothing for grids, and where there is no output.
 interface Formats {
@@ -20,12 +20,18 @@ interface Formats {
 }
 
 // Refuses before the work what can be refused then.
-function checkFiles(files: FileOptions, { input, output, isGrid }: Task): Formats {
+function checkFiles({ files, extract }: Command, { input, output, isGrid }: Task): Formats {
   const formats: Formats = {};
   const force = files.force === true;
   if (!isGrid) formats.input = inputFormat(input, files.inputFormat);
   if (output !== undefined) {
     formats.output = outputFormat(output, files.format);
+    if (extract.normals === true && formats.output !== 'obj' && formats.output !== 'glb') {
+      throw new KdManifoldError(
+        'INVALID_OPTION',
+        '`normals`: of the files only .obj and .glb have them',
+      );
+    }
     checkTarget(output, force);
     // The folder of --out-dir was checked, and may not be there yet.
     if (files.outDir === undefined) checkFolderOf(output);
@@ -79,11 +85,12 @@ async function work(
   progress: ProgressLine,
 ): Promise<CliReport> {
   const { files } = command;
-  const formats = checkFiles(files, task);
+  const formats = checkFiles(command, task);
   const report: CliReport = { seconds: { read: 0 }, peakBytes: 0, warnings: [] };
   const { seconds } = report;
   const lap = stopwatch();
   let grid: Grid;
+  let input: MeshInput | undefined;
   progress.show('reading');
   if (formats.input === undefined) {
     grid = library.loadGrid(await readAll(task.input), task.input);
@@ -99,6 +106,7 @@ async function work(
       seconds.analyze = lap();
     }
     if (!converts(command)) return report;
+    input = mesh;
     grid = library.buildGrid(mesh, { ...command.build, onProgress: progress.of('building') });
     seconds.build = lap();
   }
@@ -109,7 +117,6 @@ async function work(
       report: { warnings, ...extracted },
       ...mesh
     } = extraction;
-    report.warnings.push(...warnings);
     seconds.extract = lap();
     progress.show('writing');
     await writeResults(library, command, task, formats.output, mesh, grid);
@@ -119,7 +126,17 @@ async function work(
     const checked = command.report.check
       ? { selfIntersections: library.findSelfIntersections(mesh).pairs }
       : {};
-    report.result = { input: grid.input, grid: grid.stats, output: { ...described, ...checked } };
+    const { check = false } = command.report;
+    const { warnings: losses = [], ...account }: Partial<Account> = input
+      ? grid.compare(input, mesh, { error: check })
+      : {};
+    report.warnings.push(...losses, ...warnings);
+    report.result = {
+      input: grid.input,
+      grid: grid.stats,
+      output: { ...described, ...checked },
+      ...account,
+    };
     return report;
   } finally {
     grid.delete();
@@ -128,7 +145,7 @@ async function work(
 
 // Errors of files name these already, others are about the input. Options are called as they were typed.
 function messageOf(error: unknown, command: Command, task: Task): string {
-  let message = error instanceof Error ? error.message : String(error);
+  let message = withTypedNames(command, error instanceof Error ? error.message : String(error));
   const code = error instanceof KdManifoldError ? error.code : undefined;
   const name = inputName(task.input);
   if (code === 'IO_ERROR' || message.startsWith(`${name}: `)) return message;

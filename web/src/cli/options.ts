@@ -4,6 +4,7 @@
 import type { FileFormat } from './formats.js';
 import { didYouMean, nearest } from './suggest.js';
 import { fileOptions, reportOptions } from './table.js';
+import { uselessOfBuild, uselessOfExtract } from '../check-combination.js';
 import { KdManifoldError } from '../errors.js';
 import { namesAGrid } from '../library.js';
 import { isLegal, rangeText, type OptionSpec } from '../option-spec.js';
@@ -52,6 +53,10 @@ export const converts = ({ report, files }: Command): boolean =>
 
 /** Returns the flag as the user has typed it: `-o`, `--splitError`. */
 export const asTyped = (command: Command, flag: string): string => command.typed.get(flag) ?? flag;
+
+/** Returns the text with the names of options in backticks as the user has typed them. */
+export const withTypedNames = (command: Command, text: string): string =>
+  text.replace(/`([^`]*)`/g, (_, name: string) => asTyped(command, `--${dashed(name)}`));
 
 /** Refuses the arguments. */
 export function usageError(message: string): never {
@@ -169,6 +174,14 @@ function readValue(name: string, spec: OptionSpec, text: string): string | numbe
   }
 }
 
+// Refuses options of building and extracting that have no effect.
+function checkEffects(command: Command): void {
+  const isGiven = (name: string): boolean => command.typed.has(`--${dashed(name)}`);
+  const useless =
+    uselessOfBuild(command.build, isGiven) ?? uselessOfExtract(command.extract, isGiven);
+  if (useless) usageError(withTypedNames(command, `\`${useless.name}\`: ${useless.when}`));
+}
+
 // What the values alone cannot tell.
 function checkCombination(command: Command): void {
   const { inputs, files, report } = command;
@@ -185,6 +198,13 @@ function checkCombination(command: Command): void {
   if (files.outDir !== undefined && files.saveGrid !== undefined) {
     refuse('--out-dir', `not together with ${asTyped(command, '--save-grid')}`);
   }
+  if (command.typed.has('--no-strict') && command.typed.has('--strict')) {
+    refuse('--no-strict', `not together with ${asTyped(command, '--strict')}`);
+  }
+  if (files.format !== undefined && files.output === undefined && files.outDir === undefined) {
+    refuse('--format', 'only with -o or --out-dir');
+  }
+  checkEffects(command);
   if (report.quiet && report.json) {
     refuse('--quiet', 'not together with --json, which prints a report');
   }

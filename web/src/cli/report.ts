@@ -6,10 +6,13 @@ import type { Task } from './plan.js';
 import { pick } from '../pick.js';
 import { checkKeys, defectKeys, outputKeys } from '../reports.js';
 import type {
+  Deviation,
   ExtractReport,
   GridStats,
   InputReport,
+  LostArea,
   MeshDefects,
+  MeshError,
   MeshReport,
   Warning,
 } from '../types.js';
@@ -23,6 +26,9 @@ export interface CliReport {
     input: InputReport;
     grid: GridStats;
     output: MeshReport & ExtractReport & { selfIntersections?: number };
+    /** Unless the input is a grid; the error with --check only. */
+    lost?: LostArea;
+    error?: MeshError | null;
   };
   seconds: { read: number; analyze?: number; build?: number; extract?: number; write?: number };
   peakBytes: number;
@@ -39,11 +45,16 @@ export function reportAsJson(report: CliReport, command: Command): object {
   return {
     input: result?.input ?? (defects && inputOf(defects)),
     defects: defects && pick(countsOf(defects), defectKeys),
-    grid: result?.grid,
+    grid: result && {
+      ...result.grid,
+      unresolvedPositions: triples(result.grid.unresolvedPositions),
+    },
     output: result && {
       ...pick(result.output, outputKeys),
       selfIntersections: result.output.selfIntersections,
     },
+    lost: result?.lost && { ...result.lost, faces: result.lost.faces.length },
+    error: result?.error ?? undefined,
     warnings: report.warnings,
     check: command.report.check && result ? pick(result.output, checkKeys) : undefined,
     seconds: {
@@ -56,6 +67,9 @@ export function reportAsJson(report: CliReport, command: Command): object {
     peakBytes: report.peakBytes,
   };
 }
+
+const triples = (numbers: Float64Array): number[][] =>
+  Array.from({ length: numbers.length / 3 }, (_, i) => [...numbers.subarray(3 * i, 3 * i + 3)]);
 
 // The keys of an InputReport that need no grid.
 function inputOf(input: MeshDefects): object {
@@ -143,6 +157,31 @@ function repairLines({ input, grid, output }: NonNullable<CliReport['result']>):
   return lines;
 }
 
+// Writes a number in full with three digits that count. The native program gets the same.
+function threeDigits(value: number): string {
+  let decimals = 0;
+  for (let scaled = value; scaled < 100 && decimals < 20; scaled *= 10) ++decimals;
+  return value.toFixed(value > 0 ? decimals : 0);
+}
+
+// What the result lacks, and how far it is from the input.
+function accountLines({ lost, error }: NonNullable<CliReport['result']>): string[] {
+  const lines: string[] = [];
+  if (lost && lost.area > 0) {
+    lines.push(
+      `lost     ${threeDigits(100 * lost.share)} % of the input's area, in ${lost.parts} pieces`,
+    );
+  }
+  if (error) {
+    const numbers = ({ largest, rms }: Deviation): string =>
+      `at most ${threeDigits(largest)} (rms ${threeDigits(rms)})`;
+    lines.push(
+      `error    result to input ${numbers(error.toInput)}, input to result ${numbers(error.toOutput)}`,
+    );
+  }
+  return lines;
+}
+
 const names: [keyof Counts, string][] = [
   ['boundaryEdges', 'open edges'],
   ['boundaryLoops', 'boundary loops'],
@@ -188,7 +227,7 @@ function resultLines(
       `Euler characteristic ${output.eulerCharacteristic}, ` +
       kindText(output, grid.sheet),
   ];
-  lines.push(...repairLines(result));
+  lines.push(...repairLines(result), ...accountLines(result));
   if (command.report.check) {
     lines.push(
       passesCheck(output, grid.sheet)

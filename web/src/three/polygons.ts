@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Makes triangles of quads.
-import type { PolygonMeshInput } from '../types.js';
+import type { PolygonMeshInput, WholeNumbers } from '../types.js';
 
 /** A mesh of triangles only. */
 export interface Triangles {
@@ -18,8 +18,14 @@ const quadCorners = [0, 1, 2, 0, 2, 3];
 
 /** Makes two triangles of each quad; they come last. The arrays of a mesh without quads are shared. */
 export function triangulate(mesh: PolygonMeshInput): Triangles {
-  const { positions, indices = null, quads = null } = mesh;
-  const { cornerNormals = null, sourceFaces = null } = mesh;
+  const { quads = null } = mesh;
+  const positions = isPlain(mesh.positions) ? Float32Array.from(mesh.positions) : mesh.positions;
+  const indices = drawable(mesh.indices ?? null);
+  const normals = mesh.cornerNormals ?? null;
+  const cornerNormals = normals && isPlain(normals) ? Float32Array.from(normals) : normals;
+  const sources = mesh.sourceFaces ?? null;
+  const sourceFaces =
+    sources && !(sources instanceof Uint32Array) ? Uint32Array.from(sources) : sources;
   if (quads === null) return { positions, index: indices, normals: cornerNormals, sourceFaces };
   const first = indices?.length ?? 0;
   const index = new Uint32Array(first + (quads.length / 4) * 6);
@@ -34,6 +40,14 @@ export function triangulate(mesh: PolygonMeshInput): Triangles {
     sourceFaces: sourceFaces && withQuadSources(sourceFaces, first / 3, quads.length / 4),
   };
 }
+
+const isPlain = (array: ArrayLike<number>): array is readonly number[] => Array.isArray(array);
+
+// WebGL draws with no others.
+const drawable = (indices: WholeNumbers | null): Uint16Array | Uint32Array | null =>
+  indices === null || indices instanceof Uint16Array || indices instanceof Uint32Array
+    ? indices
+    : Uint32Array.from(indices);
 
 function withQuadNormals(normals: Float32Array, first: number, quads: number): Float32Array {
   const all = new Float32Array(first + 18 * quads);

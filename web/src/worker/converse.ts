@@ -43,10 +43,8 @@ export function converse(port: WorkerPort, job: Job): Talk {
         ),
       );
     });
-    port.post(
-      { type: 'convert', mesh: job.mesh, build: job.build, extract: job.extract },
-      job.transfer,
-    );
+    const { mesh, build, extract, check } = job;
+    port.post({ type: 'convert', order: { mesh, build, extract, check } }, job.transfer);
   });
   return { outcome, stop, fit: () => fit };
 }

@@ -1,29 +1,20 @@
 // SPDX-License-Identifier: MIT
 // The workers, and the line of conversions before them. Each worker does one at a time; how many work at
 // a time is `concurrency`; all others wait in line.
-import { convert } from '../convert.js';
+import { convert, type Order } from '../convert.js';
 import { textOf } from '../environment.js';
 import { aborted, KdManifoldError } from '../errors.js';
 import { loadMain, unload } from '../load.js';
 import type { Source } from '../load-options.js';
 import type { Signal } from '../outside-types.js';
-import type {
-  BuildOptions,
-  Conversion,
-  ExtractOptions,
-  MeshInput,
-  ProgressCallback,
-} from '../types.js';
+import type { Conversion, ProgressCallback } from '../types.js';
 import { converse } from './converse.js';
 import type { WorkerPort } from './protocol.js';
 import { start } from './start.js';
 
 /** One conversion. Nobody else holds the arrays of its mesh. */
-export interface Job {
-  mesh: MeshInput;
+export interface Job extends Order {
   transfer: ArrayBuffer[];
-  build: BuildOptions;
-  extract: ExtractOptions;
   source: Source;
   signal: Signal | undefined;
   onProgress: ProgressCallback | undefined;
@@ -156,7 +147,7 @@ async function performInWorker(task: Task, seat: Seat, port: WorkerPort): Promis
 
 async function performHere(job: Job): Promise<Conversion> {
   const library = await loadMain(job.source);
-  return convert(library, job.mesh, job.build, job.extract, (fraction, phase) => {
+  return convert(library, job, (fraction, phase) => {
     if (job.signal?.aborted) return false;
     return job.onProgress?.(fraction, phase);
   });

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // What the two ends of the worker say to each other.
+import type { Order } from '../convert.js';
 import type { ErrorCode } from '../errors.js';
-import type { BuildOptions, Conversion, ExtractOptions, MeshInput } from '../types.js';
+import type { Conversion } from '../types.js';
 
 /** To the worker: the compiled module once, then one conversion after the other. */
 export type Request =
-  | { type: 'start'; module: WebAssembly.Module }
-  | { type: 'convert'; mesh: MeshInput; build: BuildOptions; extract: ExtractOptions };
+  { type: 'start'; module: WebAssembly.Module } | { type: 'convert'; order: Order };
 
 /** From the worker: one `ready`, then for each conversion `progress`, and `done` or `failed`. */
 export type Reply =

@@ -30,8 +30,7 @@ function serve(post: Post): (request: Request) => Promise<void> {
         return;
       }
       let reported = 0;
-      const { mesh, build, extract } = request;
-      const conversion = convert(library as KdManifold, mesh, build, extract, (fraction, phase) => {
+      const conversion = convert(library as KdManifold, request.order, (fraction, phase) => {
         const now = performance.now();
         if (now - reported < progressInterval && fraction < 1) return;
         reported = now;

@@ -7,6 +7,7 @@
 #include "extract/place/place.h"
 #include "extract/place/refine.h"
 #include "kdmanifold/build.h"
+#include "kdmanifold/error.h"
 #include "kdmanifold/extract.h"
 #include "support/dual_mesh_check.h"
 #include "support/mesh_assert.h"
@@ -118,12 +119,9 @@ TEST(Embed, WhatDoesNotCrossStays) {
   EXPECT_EQ(out.report.refined_hits, 0u);
 }
 
-TEST(Embed, QuadsAreNotLookedAt) {
-  const ExtractedMesh out =
-      extract(build_grid(shapes::torus(), {.strategy = SplitStrategy::kUniform, .depth = 12}),
-              {.quads = true, .strict = Strict::kEmbedded});
-  EXPECT_FALSE(out.report.crossings);
-  EXPECT_GT(out.quads.size(), 0u);
+TEST(Embed, QuadsAreRefused) {
+  const Grid grid = build_grid(shapes::torus(), {.strategy = SplitStrategy::kUniform, .depth = 12});
+  EXPECT_THROW(extract(grid, {.quads = true, .strict = Strict::kEmbedded}), Error);
 }
 
 // The construction itself: at level kLinksApart every triangle lies in one leaf.

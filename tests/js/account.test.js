@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// What a result lacks and how far it is from its input: the same by all ways into the package.
+import { load, makeManifold } from '../../dist/index.js';
+import { cube, together, torus } from './support/meshes.js';
+
+let kdm;
+beforeAll(async () => {
+  kdm = await load();
+});
+
+// A square that stands on a cube and bounds nothing.
+function cubeWithFin() {
+  const { positions, indices } = cube();
+  const corners = [-0.5, 0, 1, 0.5, 0, 1, 0.5, 0, 2, -0.5, 0, 2];
+  return {
+    positions: Float32Array.from([...positions, ...corners]),
+    indices: Uint32Array.from([...indices, 8, 9, 10, 8, 10, 11]),
+  };
+}
+
+test('nothing is missing of a torus, and distances are small', async () => {
+  const { report } = await makeManifold(torus(), { tolerance: 0.01, check: true });
+  expect(report.lost).toEqual({
+    area: 0,
+    parts: 0,
+    largest: 0,
+    share: 0,
+    innerArea: 0,
+    faces: new Uint32Array(0),
+  });
+  for (const { largest, rms } of [report.error.toInput, report.error.toOutput]) {
+    expect(largest).toBeLessThan(0.02);
+    expect(rms).toBeLessThan(largest);
+    expect(rms).toBeGreaterThan(0);
+  }
+});
+
+test('without check nothing is measured, but what is lost is told', async () => {
+  const { report } = await makeManifold(cubeWithFin());
+  expect(report.error).toBeNull();
+  expect(report.lost.area).toBeCloseTo(1, 1);
+  expect(report.lost.parts).toBe(1);
+  expect(report.lost.faces).toEqual(Uint32Array.of(12, 13));
+  expect(['AREA_LOST', 'PARTS_LOST']).toContain(report.warnings[0].code);
+});
+
+test('walls within the solid are not lost', async () => {
+  const input = together(cube(), cube(2, [1, 1, 1]));
+  const { report } = await makeManifold(input, { check: true });
+  expect(report.lost.area).toBe(0);
+  expect(report.lost.innerArea).toBeCloseTo(6, 0);
+  expect(report.error.toOutput.largest).toBeLessThan(0.05);
+  expect(report.warnings.map(({ code }) => code)).not.toContain('AREA_LOST');
+});
+
+test('a grid compares any result with its input', () => {
+  const input = together(cube(), cube(2, [5, 0, 0]));
+  const grid = kdm.buildGrid(input);
+  const whole = grid.compare(input, grid.extract());
+  expect(whole).toMatchObject({ error: null, warnings: [] });
+  expect(whole.lost.area).toBe(0);
+  const half = grid.compare(input, cube(), { error: true });
+  expect(half.lost.share).toBeCloseTo(0.5, 9);
+  expect(half.error.toOutput.largest).toBeCloseTo(5, 6);
+  expect(half.error.toInput.largest).toBeCloseTo(0, 6);
+  expect(half.warnings).toEqual([
+    {
+      code: 'AREA_LOST',
+      message:
+        "50 % of the input's area is missing from the result, in 1 piece, the largest with an area of 24",
+    },
+  ]);
+  for (const wrong of [{ error: 1 }, { errors: true }, null]) {
+    expect(() => grid.compare(input, cube(), wrong)).toThrow(/error|options/);
+  }
+  grid.delete();
+  expect(() => grid.compare(input, cube())).toThrow(/deleted/);
+});
+
+test('positions tell where the topology was given up', async () => {
+  const input = together(torus(), cube(2, [3, 0, 0]));
+  const { report } = await makeManifold(input);
+  const { unresolvedLeaves, unresolvedPositions } = report.grid;
+  expect(unresolvedLeaves).toBeGreaterThan(0);
+  expect(unresolvedPositions[Symbol.toStringTag]).toBe('Float64Array');
+  expect(unresolvedPositions.length).toBe(3 * Math.min(unresolvedLeaves, 1000));
+  for (let i = 0; i < unresolvedPositions.length; i += 3) {
+    expect(Math.abs(unresolvedPositions[i] - 3)).toBeLessThan(1.5);
+  }
+});
+
+test('check is true or false', async () => {
+  await expect(makeManifold(cube(), { check: 'yes' })).rejects.toThrow(
+    'check: expected true or false',
+  );
+});

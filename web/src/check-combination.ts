@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// Finds options that have no effect beside the others, as src/options/check_options.cpp does.
+import type { OptionSpec } from './option-spec.js';
+import { buildOptions, extractOptions } from './options.js';
+import type { BuildOptions, ExtractOptions } from './types.js';
+
+/** An option without effect, and when it has one; names of other options stand in backticks. */
+export interface Useless {
+  name: string;
+  when: string;
+}
+
+type Rule<Options> = [keyof Options & string, (options: Options) => boolean, string];
+
+const counts = ({ strategy }: BuildOptions): boolean =>
+  strategy === 'median' || strategy === 'uniform';
+const noRepair = ({ inside = 'repair' }: BuildOptions): boolean => inside !== 'repair';
+const byTolerance = 'only with `strategy` adaptive, octree or feature';
+
+const buildRules: Rule<BuildOptions>[] = [
+  ['relativeTolerance', ({ tolerance = 0 }) => tolerance > 0, 'not together with `tolerance`'],
+  ['tolerance', counts, byTolerance],
+  ['relativeTolerance', counts, byTolerance],
+  ['windingThreshold', noRepair, 'only with `inside` repair'],
+  ['largestHole', noRepair, 'only with `inside` repair'],
+  [
+    'largestHole',
+    ({ thicken = 0 }) => thicken > 0,
+    'not together with `thicken`, which leaves no holes',
+  ],
+  [
+    'pairing',
+    ({ pairing, inside }) => inside === 'sheet' && (pairing === 'inside' || pairing === 'outside'),
+    'only trace or hermite with `inside` sheet',
+  ],
+];
+
+const extractRules: Rule<ExtractOptions>[] = [
+  [
+    'quads',
+    ({ quads = false, strict }) => quads && strict === 'embedded',
+    'not together with `strict` embedded',
+  ],
+  ['linkError', ({ quads = false }) => quads, 'not together with `quads`'],
+  ['creaseAngle', ({ normals = false }) => !normals, 'only with `normals`'],
+];
+
+function find<Options extends object>(
+  rules: Rule<Options>[],
+  options: Options,
+  isGiven: (name: keyof Options & string) => boolean,
+): Useless | undefined {
+  const rule = rules.find(([name, isUseless]) => isGiven(name) && isUseless(options));
+  return rule && { name: rule[0], when: rule[2] };
+}
+
+// Who hands all options over, as a form does, hands over defaults too: these do no harm.
+const differs =
+  (options: Record<string, unknown>, table: Record<string, OptionSpec>) =>
+  (name: string): boolean => {
+    const spec = table[name];
+    return (
+      options[name] !== undefined &&
+      options[name] !== (spec && 'default' in spec ? spec.default : undefined)
+    );
+  };
+
+/** Returns the first option of `buildGrid` that differs from its default and has no effect. */
+export const uselessOfBuild = (
+  options: BuildOptions,
+  isGiven: (name: string) => boolean = differs({ ...options }, buildOptions),
+): Useless | undefined => find(buildRules, options, isGiven);
+
+/** Returns the first option of `Grid.extract` that differs from its default and has no effect. */
+export const uselessOfExtract = (
+  options: ExtractOptions,
+  isGiven: (name: string) => boolean = differs({ ...options }, extractOptions),
+): Useless | undefined => find(extractRules, options, isGiven);
