@@ -22,6 +22,8 @@ let unit = choice('thickness-unit');
 let gaps = false;
 // Has anybody said how much of them to fill?
 let gapsAreSet = false;
+// How far the input and the last result are apart, a fraction of the diagonal; null: not known.
+let distance: number | null = null;
 
 /** What the conversion controls say; throws if the thickness is none. */
 export function readOptions(): BuildOptions & ExtractOptions {
@@ -29,17 +31,23 @@ export function readOptions(): BuildOptions & ExtractOptions {
   return {
     strategy: choice('strategy') as BuildOptions['strategy'],
     ...(byTolerance() ? { relativeTolerance: readTolerance() } : { depth: amount('depth') }),
-    pairing: choice('pairing') as BuildOptions['pairing'],
+    pairing: readPairing(make),
     quads: checked('quads'),
     ...(make === 'solid' && {
       inside: choice('inside') as BuildOptions['inside'],
-      windingThreshold: gapsAreSet ? (100 - amount('gaps')) / 100 : 0,
+      windingThreshold: repairs() && gapsAreSet ? (100 - amount('gaps')) / 100 : 0,
     }),
     ...(make === 'shell' && { thicken: readThickness() }),
     ...(make === 'sheet'
       ? { inside: 'sheet' }
       : { parts: choice('parts') as ExtractOptions['parts'] }),
   };
+}
+
+// Sheets have no inside that hits could be joined by.
+function readPairing(make: Make): BuildOptions['pairing'] {
+  const pairing = choice('pairing') as BuildOptions['pairing'];
+  return make === 'sheet' && pairing !== 'hermite' ? 'trace' : pairing;
 }
 
 /** Are holes to be closed? */
@@ -70,6 +78,19 @@ export function measure({ positions, indices }: MeshInput): void {
   }
   size = Math.hypot(...high.map((value, axis) => value - (low[axis] as number)));
   gaps = gapsAreSet = false;
+  distance = null;
+}
+
+/** What the conversion has measured; shells are meant to be away from the input. */
+export function learnOfError({ input, error }: Report, thickness = 0): void {
+  if (error === null || thickness > 0) return;
+  distance = Math.max(error.toInput.largest, error.toOutput.largest) / input.extent;
+}
+
+/** The last result does not count any more. */
+export function forgetError(): void {
+  distance = null;
+  explainSize();
 }
 
 /** Gaps that have been closed may be closed differently. */
@@ -150,8 +171,11 @@ function explainSize(): void {
   element('depth-value').textContent = String(depth);
   const cells = number.format(Math.round(2 ** (depth / 3)));
   element('size-hint').textContent = byTolerance()
-    ? `The result stays within ${tolerance} of the model's diagonal.`
+    ? `The result aims to stay within ${tolerance} of the model's diagonal.`
     : choice('strategy') === 'median'
       ? 'At most so many splits on the way to a cell.'
       : `${cells} cells along each axis.`;
+  const apart = element('distance-hint');
+  apart.hidden = distance === null;
+  apart.textContent = `Measured: at most ${decimal.format(100 * (distance ?? 0))} % of it apart.`;
 }

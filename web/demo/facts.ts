@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 // The tables of numbers below the views.
-import type { InputReport, Report } from 'kdmanifold';
+import type { InputReport, MeshError, Report } from 'kdmanifold';
 import { element } from './element';
 
 const number = new Intl.NumberFormat('en');
+const percent = new Intl.NumberFormat('en', { style: 'percent', maximumSignificantDigits: 2 });
 const decimal = new Intl.NumberFormat('en', { maximumSignificantDigits: 3 });
 
 /** All there is to be counted about a conversion. */
 export function showFacts(report: Report): void {
-  const { input, grid, output, seconds } = report;
+  const { input, grid, output, seconds, lost, error } = report;
   fillTable('input-facts', inputFacts(input));
   fillTable('output-facts', [
     ['Vertices', number.format(output.vertices)],
@@ -23,6 +24,8 @@ export function showFacts(report: Report): void {
     ['Link vertices', number.format(output.linkVertices)],
     ['Flipped edges', number.format(output.flippedEdges)],
     ['Dropped pillows', number.format(output.droppedPillows)],
+    ['Area missing', lost.area > 0 ? percent.format(lost.share) : 'none'],
+    ...(error === null ? [] : distances(error)),
   ]);
   fillTable('grid-facts', [
     ['Build', `${decimal.format(seconds.build)} s`],
@@ -35,6 +38,14 @@ export function showFacts(report: Report): void {
     ['Heap', `${decimal.format(report.peakBytes / 2 ** 20)} MB`],
   ]);
 }
+
+// How far the two are apart, in model units.
+const distances = ({ toInput, toOutput }: MeshError): [string, string][] => [
+  ['Furthest from the input', decimal.format(toInput.largest)],
+  ['On average (rms)', decimal.format(toInput.rms)],
+  ["The input's furthest from it", decimal.format(toOutput.largest)],
+  ['On average (rms)', decimal.format(toOutput.rms)],
+];
 
 /** Empties the tables. */
 export function clearFacts(): void {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What is wrong with an input, kind by kind, and what is new in a result; where to paint it.
-import type { Mesh, MeshDefects, MeshInput } from 'kdmanifold';
+import type { Mesh, MeshDefects, MeshInput, Report } from 'kdmanifold';
 
 /** The kinds of defects that the page tells apart, in the order in which it names them. */
 export const defectKinds = [
@@ -15,8 +15,11 @@ export const defectKinds = [
 ] as const;
 export type DefectKind = (typeof defectKinds)[number];
 
-/** `invented`: faces of a result that are of no input face. */
-export type Kind = DefectKind | 'invented';
+/**
+ * `invented`: faces of a result that are of no input face; `lost`: faces of the input that the result does not come
+ * near; `unresolved`: places where the topology was given up.
+ */
+export type Kind = DefectKind | 'invented' | 'lost' | 'unresolved';
 
 /** One kind of thing, found at least once. */
 export interface Finding<K extends Kind = Kind> {
@@ -75,6 +78,19 @@ export function findingsOf(mesh: MeshInput, defects: MeshDefects): Finding<Defec
 /** The kind that takes longest to find. */
 export function crossingsOf(mesh: MeshInput, crossing: Uint32Array): Finding<DefectKind>[] {
   return crossing.length === 0 ? [] : [faces('crossing', mesh, crossing)];
+}
+
+/** Faces of the input that are missing from the result, in whole or part. */
+export function lostOf(mesh: MeshInput, { lost }: Report): Finding[] {
+  return lost.faces.length === 0 ? [] : [faces('lost', mesh, lost.faces)];
+}
+
+/** Where the topology was given up; of very many places a part is shown. */
+export function unresolvedOf({ grid }: Report): Finding[] {
+  const { unresolvedLeaves: count, unresolvedPositions } = grid;
+  if (count === 0) return [];
+  const positions = Float32Array.from(unresolvedPositions);
+  return [{ kind: 'unresolved', count, shape: 'points', positions }];
 }
 
 /** Faces of a result that close holes of its input; of quads there are none. */

@@ -13,6 +13,8 @@ export const paints: Record<Kind, { name: string; colour: string }> = {
   doubled: { name: 'Doubled faces', colour: '#12a150' },
   degenerate: { name: 'Faces without area', colour: '#00b3a4' },
   crossing: { name: 'Crossing faces', colour: '#f5b400' },
+  lost: { name: 'Missing from the result', colour: '#d0021b' },
+  unresolved: { name: 'Spots where the topology was given up', colour: '#ff8a00' },
   invented: { name: 'New faces that close holes', colour: '#77b300' },
 };
 

@@ -12,6 +12,8 @@ import {
   changeUnit,
   chooseMake,
   explainControls,
+  forgetError,
+  learnOfError,
   learnOfGaps,
   measure,
   readLines,
@@ -21,7 +23,14 @@ import {
 } from './controls';
 import { describeError } from './describe-error';
 import { element } from './element';
-import { inventedOf, type DefectKind, type Finding, type Summary } from './findings';
+import {
+  inventedOf,
+  lostOf,
+  unresolvedOf,
+  type DefectKind,
+  type Finding,
+  type Summary,
+} from './findings';
 import type { Reply, Source } from './inspect.worker';
 import { Inspector } from './inspector';
 import { showLegend } from './legend';
@@ -36,7 +45,9 @@ const settleMilliseconds = 250;
 
 let input: { name: string; mesh: MeshInput; warnings: Warning[] } | null = null;
 let findings: Finding<DefectKind>[] = [];
-let invented: Finding[] = [];
+// What the conversion has to say, of the input and of its result.
+let missing: Finding[] = [];
+let made: Finding[] = [];
 let summary: Summary | null = null;
 let result: Mesh | null = null;
 let running: AbortController | null = null;
@@ -55,36 +66,52 @@ async function convert(): Promise<void> {
   if (input === null) return;
   const mine = (running = new AbortController());
   result = null;
+  forgetError();
   showBusy();
   try {
     const options = readOptions();
-    const conversion = await makeManifold(input.mesh, {
+    const { mesh, warnings } = input;
+    const conversion = await makeManifold(mesh, {
       ...options,
+      check: true,
       onProgress: showProgress,
       signal: mine.signal,
     });
     if (running !== mine) return;
     result = conversion.mesh;
-    present(result, inventedOf(result));
-    showResult(conversion, { thickness: options.thicken, warnings: input.warnings });
+    present(result, lostOf(mesh, conversion.report), [
+      ...unresolvedOf(conversion.report),
+      ...inventedOf(result),
+    ]);
+    showResult(conversion, { thickness: options.thicken, warnings });
     learnOfGaps(conversion.report);
+    learnOfError(conversion.report, options.thicken);
     explainControls();
   } catch (error) {
     if (running !== mine) return;
-    present(null, []);
+    present(null, [], []);
     showError(describeError(error));
   }
 }
 
-function present(mesh: Mesh | null, painted: Finding[]): void {
-  invented = painted;
+function present(mesh: Mesh | null, lost: Finding[], painted: Finding[]): void {
+  missing = lost;
+  made = painted;
   stage.show('output', mesh);
-  stage.paint('output', invented);
+  stage.unpaint('input', 'lost');
+  stage.paint('input', missing);
+  stage.paint('output', made);
   updateLegend();
 }
 
 function updateLegend(): void {
-  showLegend([...findings, ...invented], (kind, visible) => stage.showPaint(kind, visible));
+  // What is wrong with the result comes first, what is new in it last.
+  const [spots, invented] = [true, false].map((first) =>
+    made.filter(({ kind }) => (kind === 'unresolved') === first),
+  );
+  showLegend([...missing, ...(spots ?? []), ...findings, ...(invented ?? [])], (kind, visible) =>
+    stage.showPaint(kind, visible),
+  );
 }
 
 // No format says which way is up; these are mostly scans and models for pictures, the others parts.
@@ -100,7 +127,7 @@ function begin(source: Source): void {
   summary = null;
   findings = [];
   stage.show('input', null);
-  present(null, []);
+  present(null, [], []);
   showInput(source.name);
   showBusy();
   if ('mesh' in source) take(source.name, source.mesh);

@@ -8,6 +8,7 @@ import {
   LineBasicMaterial,
   LineSegments,
   Mesh,
+  MeshBasicMaterial,
   MeshStandardMaterial,
   Points,
   PointsMaterial,
@@ -18,11 +19,13 @@ import {
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
-import { defectKinds, type Finding, type Kind } from './findings';
+import { defectKinds, type DefectKind, type Finding, type Kind } from './findings';
 import { paints } from './legend';
 
 const lineWidth = 2.5;
 const pointSize = 8;
+const manyPoints = 200;
+const smallPoint = 4;
 // So many would hide the model, and be slow to draw: they are thin and do not show through.
 const manyLines = 5000;
 const throughOpacity = 0.22;
@@ -64,25 +67,27 @@ function makeThinLines(kind: Kind, positions: Float32Array, look: Look): Paint {
 
 function makePoints(kind: Kind, positions: Float32Array, near: Look, through: Look): Paint {
   const geometry = geometryOf(positions);
+  const size = positions.length > 3 * manyPoints ? smallPoint : pointSize;
   const materials = [near, through].map(
-    (look) => new PointsMaterial({ ...look, size: pointSize, sizeAttenuation: false }),
+    (look) => new PointsMaterial({ ...look, size, sizeAttenuation: false }),
   );
   const objects = materials.map((material) => new Points(geometry, material));
   return asPaint(kind, geometry, materials, onTop(objects));
 }
 
-function makeFaces(kind: Kind, positions: Float32Array, near: Look): Paint {
+function makeFaces(kind: Kind, positions: Float32Array, near: Look, through: Look): Paint {
   const geometry = geometryOf(positions);
   // In front of the mesh's own faces, which are pushed back by 1, each kind behind the one before
   // it: faces that lie on each other cross as well, and many more faces cross than do else.
-  const offset = kind === 'invented' ? 0 : defectKinds.indexOf(kind) / 10;
+  // What is lost is said before all else.
+  const offset = isDefect(kind) ? defectKinds.indexOf(kind) / 10 : 0;
   const material = new MeshStandardMaterial({
     ...near,
     flatShading: true,
     roughness: 0.7,
     side: DoubleSide,
     transparent: true,
-    opacity: kind === 'crossing' ? 0.5 : 0.8,
+    opacity: kind === 'crossing' ? 0.5 : kind === 'lost' ? 0.95 : 0.8,
     depthWrite: false,
     polygonOffset: true,
     polygonOffsetFactor: offset,
@@ -90,8 +95,16 @@ function makeFaces(kind: Kind, positions: Float32Array, near: Look): Paint {
   });
   const mesh = new Mesh(geometry, material);
   mesh.renderOrder = 1 - offset;
-  return asPaint(kind, geometry, [material], [mesh]);
+  if (kind !== 'lost') return asPaint(kind, geometry, [material], [mesh]);
+  // Nobody should have to turn the model to see that something is missing.
+  const faint = new MeshBasicMaterial({ ...through, side: DoubleSide });
+  const behind = new Mesh(geometry, faint);
+  behind.renderOrder = 2;
+  return asPaint(kind, geometry, [material, faint], [mesh, behind]);
 }
+
+const isDefect = (kind: Kind): kind is DefectKind =>
+  (defectKinds as readonly Kind[]).includes(kind);
 
 // Drawn after the faces, tinted or not.
 function onTop(objects: Object3D[]): Object3D[] {

@@ -125,6 +125,18 @@ export class Stage {
     this.draw();
   }
 
+  /** Takes one kind of finding away. */
+  unpaint(which: 'input' | 'output', kind: Kind): void {
+    const view = this.#views[which];
+    const gone = view.paints.filter((made) => made.kind === kind);
+    view.paints = view.paints.filter((made) => made.kind !== kind);
+    for (const { objects, dispose } of gone) {
+      view.root.remove(...objects);
+      dispose();
+    }
+    this.draw();
+  }
+
   /** Shows or hides one kind of finding. */
   showPaint(kind: Kind, visible: boolean): void {
     for (const { paints } of Object.values(this.#views)) {

@@ -185,6 +185,48 @@ test('a clean model has nothing painted on it', async () => {
   await inspected();
   expect(await text('#story')).toBe('The input has 1 part and is closed and free of defects.');
   expect(await page.locator('#legend').isVisible()).toBe(false);
+  // What is asked for, and what came of it.
+  expect(await text('#size-hint')).toMatch(/^The result aims to stay within [\d.]+ % of the model/);
+  const measured = Number((await text('#distance-hint')).match(/at most ([\d.]+) %/)[1]);
+  expect(measured).toBeLessThan(0.2);
+});
+
+test('what is missing is painted on the input, and said first', async () => {
+  // A square that stands on a cube and bounds nothing.
+  const { positions, indices } = cube();
+  const fin = [-0.5, 0, 1, 0.5, 0, 1, 0.5, 0, 2, -0.5, 0, 2];
+  const mesh = {
+    positions: Float32Array.from([...positions, ...fin]),
+    indices: Uint32Array.from([...indices, 8, 9, 10, 8, 10, 11]),
+  };
+  await choose('fin.ply', mesh);
+  await inspected();
+  expect(await text('#warnings li:first-child')).toMatch(/missing from the result/);
+  // The fin reaches 1 above the cube; the diagonal is that of the cube, of which the fin is no part.
+  expect(await text('#distance-hint')).toMatch(/^Measured: at most [\d.]+ % of it apart\.$/);
+  const measured = Number((await text('#distance-hint')).match(/[\d.]+/)[0]);
+  expect(measured).toBeGreaterThan(20);
+  expect(measured).toBeLessThan(35);
+  const box = page.getByRole('checkbox', { name: 'Missing from the result (2)' });
+  expect(await box.isChecked()).toBe(true);
+  const painted = await page.locator('#stage').screenshot({ path: join(screenshots, 'lost.png') });
+  await box.focus();
+  await page.keyboard.press('Space');
+  const bare = await page.locator('#stage').screenshot();
+  expect(await differentPixels(page, painted, bare)).toBeGreaterThan(few);
+  await page.keyboard.press('Space');
+});
+
+test('spots where the topology was given up are marked', async () => {
+  await choose('crossing.ply', together(torus(), cube(2, [3, 0, 0])));
+  await inspected();
+  const name = /^Spots where the topology was given up \([\d,]+\)$/;
+  const box = page.getByRole('checkbox', { name });
+  const painted = await page.locator('#stage').screenshot();
+  await box.uncheck();
+  const bare = await page.locator('#stage').screenshot();
+  expect(await differentPixels(page, painted, bare)).toBeGreaterThan(few);
+  await box.check();
 });
 
 test('a new model does not wait for the inspection of the one before', async () => {
