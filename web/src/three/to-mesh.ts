@@ -1,9 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Objects to be put into a scene.
 import { Mesh } from 'three';
-import type { PolygonMeshInput } from '../types.js';
+import type { PolygonMeshInput, Report } from '../types.js';
+import { checkKeys } from './kinds.js';
 import { checkSourced, type SourcedMesh } from './source.js';
 import { toBufferGeometry, type ToBufferGeometryOptions } from './to-geometry.js';
+
+/** What `toMesh` can be told. */
+export interface ToMeshOptions extends Omit<ToBufferGeometryOptions, 'from'> {
+  /** That of `makeManifold`: what one should know of the result goes along with the object. */
+  report?: Pick<Report, 'lost' | 'error' | 'warnings'>;
+}
 
 /**
  * Makes an object of a mesh, with the attributes and the materials of what the mesh was made of. It
@@ -13,9 +20,12 @@ import { toBufferGeometry, type ToBufferGeometryOptions } from './to-geometry.js
  * instances. Without `cornerNormals`, which the option `normals` of `makeManifold` gives, its normals are
  * those of `computeVertexNormals()`: smooth everywhere but at seams.
  *
+ * With `report`, the object's `userData.kdmanifold` has `lost` (without the list of faces, see `findLost`),
+ * `error` and `warnings` of it: files of the scene keep them.
+ *
  * @param mesh - A result that has `sourceFaces`.
  * @param from - What it was made of.
- * @param options - Those of `toBufferGeometry` but `from`.
+ * @param options - Those of `toBufferGeometry` but `from`, and `report`.
  * @returns A new `Mesh` of three.js, with one material or an array of them.
  * @throws KdManifoldError As `toBufferGeometry` does.
  * @example
@@ -29,11 +39,23 @@ import { toBufferGeometry, type ToBufferGeometryOptions } from './to-geometry.js
 export function toMesh(
   mesh: PolygonMeshInput,
   from: SourcedMesh,
-  options: Omit<ToBufferGeometryOptions, 'from'> = {},
+  options: ToMeshOptions = {},
 ): Mesh {
+  checkKeys(options, ['attributes', 'seamTolerance', 'report']);
+  const { report, ...others } = options;
   const { materials } = checkSourced(from).source;
-  const geometry = toBufferGeometry(mesh, { ...options, from });
+  const geometry = toBufferGeometry(mesh, { ...others, from });
   if (!geometry.hasAttribute('normal')) geometry.computeVertexNormals();
-  if (materials.length === 0) return new Mesh(geometry);
-  return new Mesh(geometry, geometry.groups.length > 0 ? materials : materials[0]);
+  const object =
+    materials.length === 0
+      ? new Mesh(geometry)
+      : new Mesh(geometry, geometry.groups.length > 0 ? materials : materials[0]);
+  if (report) object.userData.kdmanifold = accountOf(report);
+  return object;
+}
+
+// Without the faces, which would fill files and mean nothing in another scene.
+function accountOf({ lost, error, warnings }: NonNullable<ToMeshOptions['report']>): object {
+  const { area, parts, largest, share, innerArea } = lost;
+  return { lost: { area, parts, largest, share, innerArea }, error, warnings };
 }
