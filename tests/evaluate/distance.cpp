@@ -148,21 +148,24 @@ double diagonal(const Mesh& mesh) {
   return (max - min).norm();
 }
 
+std::vector<double> distances_of_points(const std::vector<Vec3>& points, const Mesh& to) {
+  std::vector<double> distances(points.size(), std::numeric_limits<double>::infinity());
+  if (all_triangles(to).empty()) return distances;
+  const TriangleTree tree(to);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    distances[i] = std::sqrt(tree.squared_distance_to(points[i]));
+  }
+  return distances;
+}
+
 Distance distance_of_points(const std::vector<Vec3>& points, const Mesh& to) {
   Distance result;
   if (points.empty()) return result;
-  if (all_triangles(to).empty()) {
-    result.max = result.mean = result.rms = std::numeric_limits<double>::infinity();
-    return result;
+  for (const double distance : distances_of_points(points, to)) {
+    result.max = std::max(result.max, distance);
+    result.mean += distance;
+    result.rms += distance * distance;
   }
-  const TriangleTree tree(to);
-  for (const Vec3& p : points) {
-    const double squared = tree.squared_distance_to(p);
-    result.max = std::max(result.max, squared);
-    result.mean += std::sqrt(squared);
-    result.rms += squared;
-  }
-  result.max = std::sqrt(result.max);
   result.mean /= static_cast<double>(points.size());
   result.rms = std::sqrt(result.rms / static_cast<double>(points.size()));
   return result;

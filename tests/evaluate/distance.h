@@ -21,6 +21,10 @@ Distance one_sided_distance(const Mesh& from, const Mesh& to, Index samples);
 /// From given points; of no points all distances are 0. Triangles may be segments or points.
 Distance distance_of_points(const std::vector<Vec3>& points, const Mesh& to);
 
+/// The distance of each point from the mesh, whose triangles may be segments or points; infinite if
+/// it has none.
+std::vector<double> distances_of_points(const std::vector<Vec3>& points, const Mesh& to);
+
 /// Triangles of a mesh whose quads have been cut in two.
 std::vector<Triangle> all_triangles(const Mesh& mesh);
 

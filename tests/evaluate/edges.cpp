@@ -75,4 +75,13 @@ EdgeDistance sharp_edge_distance(const Mesh& reference, const Mesh& mesh, double
           distance_of_points(points, as_mesh(kept))};
 }
 
+Index count_false_creases(const Mesh& reference, const Mesh& mesh) {
+  std::vector<Vec3> middles;
+  for (const auto& [a, b] : sharp_edges(mesh, 30)) middles.push_back((a + b) / 2);
+  const std::vector<double> off = distances_of_points(middles, as_mesh(sharp_edges(reference, 15)));
+  const double reach = 0.005 * diagonal(reference);
+  return static_cast<Index>(
+      std::count_if(off.begin(), off.end(), [&](double distance) { return distance > reach; }));
+}
+
 }  // namespace kdm::bench

@@ -19,4 +19,9 @@ struct EdgeDistance {
 EdgeDistance sharp_edge_distance(const Mesh& reference, const Mesh& mesh, double degrees,
                                  Index samples);
 
+/// Counts the mesh's edges that turn by more than 30 degrees where no edge of the reference that
+/// turns by more than 15 is within half a per cent of the reference's diagonal: scratches that a
+/// viewer sees on a smooth surface.
+Index count_false_creases(const Mesh& reference, const Mesh& mesh);
+
 }  // namespace kdm::bench

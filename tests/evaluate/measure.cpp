@@ -54,6 +54,7 @@ json measure(const Command& command) {
         to_json(kdm::bench::one_sided_distance(mesh, reference, command.samples), unit);
     report["fromReference"] =
         to_json(kdm::bench::one_sided_distance(reference, mesh, command.samples), unit);
+    report["falseCreases"] = kdm::bench::count_false_creases(reference, mesh);
     if (command.sharp_degrees > 0) {
       report["sharpEdges"] = to_json(
           kdm::bench::sharp_edge_distance(reference, mesh, command.sharp_degrees, command.samples),

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// Reduces a mesh to fewer triangles: within a distance of the surface that it stands for, to a
+// number of triangles, or to several numbers one after the other.
+#pragma once
+
+#include <vector>
+
+#include "kdmanifold/mesh.h"
+#include "kdmanifold/progress.h"
+
+namespace kdm {
+
+/// What `reduce` can be told. One of the two must be given.
+struct ReduceOptions {
+  /// The largest distance between the result and the reference, either way, in model units. 0: no
+  /// limit, `target_triangles` decides.
+  double error = 0;
+  /// How many triangles are to be left; several numbers, each smaller than the one before, make
+  /// several levels of detail. Empty: as few as `error` allows.
+  std::vector<Index> target_triangles = {};
+};
+
+/// What was done.
+struct ReduceReport {
+  Index collapses = 0;  ///< edges that were collapsed
+  Index flips = 0;      ///< edges that were flipped, at creases that the reference does not have
+};
+
+/// A reduced mesh. If several numbers of triangles were asked for it is the last level.
+struct ReducedMesh : Mesh {
+  ReduceReport report;
+  /// One mesh for each of `target_triangles`, as far as `error` and the topology, which stays as it
+  /// is, allow. Empty if there is none.
+  std::vector<Mesh> levels;
+};
+
+/// Collapses edges, the cheapest first: where the sum of squared distances to the planes of the
+/// triangles that a vertex stands for stays least (M. Garland, P. Heckbert, 1997). Every step is
+/// taken only if the mesh stays 2-manifold with the same parts and Euler characteristic, no
+/// triangle meets another one where they share neither vertex nor edge, none is turned over, and,
+/// with `error`, new triangles are near to the reference and the reference is near to them. The
+/// latter is tested at points: vertices, middles of edges and of triangles.
+///
+/// `mesh` must be 2-manifold; the boundary of a sheet stays as it is. What meets itself already may
+/// go on doing so. `reference` is what the distance counts from, e.g. the input that `mesh` was
+/// made from; parts of `mesh` that are further than `error` from it, such as closed holes, count as
+/// part of it. `source_faces` are those of the reference's triangles that are nearest to the
+/// result's (kNone stays). Quads are cut along their first diagonal. New vertices have 32-bit
+/// coordinates.
+///
+/// Throws `kInvalidMesh` if a mesh is unusable or `mesh` is not 2-manifold, `kInvalidOption`,
+/// `kAborted` and `kOutOfMemory`.
+ReducedMesh reduce(const Mesh& mesh, const Mesh& reference, const ReduceOptions& options,
+                   const Progress& progress = {});
+
+}  // namespace kdm

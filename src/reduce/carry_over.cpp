@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// Looks points up on the mesh that was reduced.
+#include "reduce/carry_over.h"
+
+#include <cmath>
+
+#include "geometry/triangle.h"
+#include "mesh/scale.h"
+
+namespace kdm {
+namespace {
+
+// How far from a corner, as a part of the way to the triangle's middle, its normal is looked up.
+constexpr double kInside = 0.05;
+
+// Returns the barycentric coordinates of the point of the triangle's plane that is nearest to p,
+// cut off at 0.
+Vec3 weights_at(const std::array<Vec3, 3>& t, const Vec3& p) {
+  const Vec3 normal = doubled_area_vector(t[0], t[1], t[2]);
+  Vec3 weights;
+  for (int i = 0; i < 3; ++i) {
+    const Vec3 part = doubled_area_vector(p, t[(i + 1) % 3], t[(i + 2) % 3]);
+    weights[i] = std::max(0.0, part.dot(normal));
+  }
+  const double sum = weights.sum();
+  return sum > 0 ? Vec3(weights / sum) : Vec3(Vec3::Constant(1.0 / 3));
+}
+
+class Lookup {
+ public:
+  Lookup(const ScaledMesh& from, const Reference& surface) : from_(from), surface_(surface) {}
+
+  /// Returns the triangle nearest to a point of those that face along `normal`; of all if none
+  /// does.
+  TriangleId nearest(const Vec3& p, const Vec3& normal) {
+    const TriangleId facing = surface_.nearest_facing(p, normal, hint_);
+    hint_ = facing != kNone ? facing : surface_.nearest(p, kAnyDistance, hint_);
+    return hint_;
+  }
+
+  std::array<float, 3> normal_at(const Vec3& p, const Vec3& normal) {
+    const TriangleId t = nearest(p, normal);
+    const Vec3 weights = weights_at(surface_.corners(t), p);
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::array<float, 3>& n = from_.corner_normals[3 * std::size_t{t} + i];
+      sum += weights[static_cast<int>(i)] * Vec3(n[0], n[1], n[2]);
+    }
+    const Eigen::Vector3f unit = normalized_or_zero(sum).cast<float>();
+    return {unit[0], unit[1], unit[2]};
+  }
+
+ private:
+  static constexpr double kAnyDistance = 1e100;
+
+  const ScaledMesh& from_;
+  const Reference& surface_;
+  TriangleId hint_ = kNone;
+};
+
+}  // namespace
+
+void carry_over(const ScaledMesh& from, const Reference& surface, int exponent, Mesh& to) {
+  if (from.source_faces.empty() && from.corner_normals.empty()) return;
+  const std::vector<Vec3> positions = scaled(to.positions, exponent);
+  Lookup lookup(from, surface);
+  for (const Triangle& t : to.triangles) {
+    const std::array<Vec3, 3> c = {positions[t[0]], positions[t[1]], positions[t[2]]};
+    const Vec3 normal = doubled_area_vector(c[0], c[1], c[2]);
+    const Vec3 middle = (c[0] + c[1] + c[2]) / 3;
+    if (!from.source_faces.empty()) {
+      to.source_faces.push_back(from.source_faces[lookup.nearest(middle, normal)]);
+    }
+    if (from.corner_normals.empty()) continue;
+    for (const Vec3& corner : c) {
+      to.corner_normals.push_back(lookup.normal_at(corner + kInside * (middle - corner), normal));
+    }
+  }
+}
+
+}  // namespace kdm

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: MIT
+// The loop over candidates, and the tests in order of what they cost.
+#include "reduce/collapser.h"
+
+#include <algorithm>
+#include <array>
+
+#include "geometry/triangle.h"
+#include "mesh/boxes.h"
+#include "reduce/near_test.h"
+#include "reduce/shape.h"
+
+namespace kdm {
+namespace {
+
+// Weight of an edge's length beside the error: among edges of flat parts the short ones go first.
+constexpr double kLengthWeight = 1e-4;
+// Distances to planes count as equal if they differ by less than 1e-5 of the edge's length.
+constexpr double kAsGood = 1e-10;
+// Edges are not tried whose mean squared distance to the planes is more than this many times that
+// allowed.
+constexpr double kHopeless = 2;
+// A triangle may turn by some 78 degrees in one step.
+constexpr double kLeastCosine = 0.2;
+constexpr Index kStepsPerReport = 1024;
+
+Vec3 rounded_to_single(const Vec3& p) { return p.cast<float>().cast<double>(); }
+
+Vec3 centre_of_all(const std::vector<Vec3>& positions) {
+  Box box;
+  for (const Vec3& p : positions) grow(box, p);
+  return centre_of(box);
+}
+
+}  // namespace
+
+Collapser::Collapser(Workpiece& piece)
+    : piece_(piece),
+      quadric_(piece.positions.size()),
+      centre_(centre_of_all(piece.positions)),
+      version_(3 * std::size_t{piece.mesh.triangles()}, 0),
+      failed_(version_.size()),
+      seen_(piece.positions.size(), 0) {
+  if (piece.distance) smooth_.emplace(piece, piece.distance->creases);
+  add_quadrics();
+  for (SideId h = 0; h < version_.size(); ++h) {
+    if (!piece_.mesh.is_removed(triangle_of(h)) && piece_.mesh.edge(h) == h) consider(h);
+  }
+}
+
+void Collapser::add_quadrics() {
+  for (TriangleId t = 0; t < piece_.mesh.triangles(); ++t) {
+    const Triangle c = piece_.mesh.corners(t);
+    const Vec3 a = piece_.positions[c[0]] - centre_;
+    const Vec3 doubled =
+        doubled_area_vector(a, piece_.positions[c[1]] - centre_, piece_.positions[c[2]] - centre_);
+    const double length = doubled.norm();
+    if (!(length > 0)) continue;
+    const Vec3 normal = doubled / length;
+    for (const VertexId v : c) quadric_[v].add_plane(normal, normal.dot(a), length);
+  }
+}
+
+Vec3 Collapser::point_of(SideId edge, Place place) const {
+  const Vec3& start = piece_.positions[piece_.mesh.start(edge)];
+  const Vec3& end = piece_.positions[piece_.mesh.end(edge)];
+  if (place == Place::kStart) return start;
+  if (place == Place::kEnd) return end;
+  const Vec3 middle = 0.5 * (start + end);
+  if (place == Place::kMiddle) return rounded_to_single(middle);
+  // An end that is as good stays where it is: so corners and edges of flat parts stay exact.
+  const ErrorQuadric sum = quadric_of(edge);
+  const Vec3 best = sum.minimiser(middle - centre_);
+  const double good = sum.error(best) + sum.weight() * kAsGood * (end - start).squaredNorm();
+  const double at_start = sum.error(start - centre_);
+  const double at_end = sum.error(end - centre_);
+  if (std::min(at_start, at_end) <= good) return at_start <= at_end ? start : end;
+  return rounded_to_single(best + centre_);
+}
+
+ErrorQuadric Collapser::quadric_of(SideId edge) const {
+  ErrorQuadric sum = quadric_[piece_.mesh.start(edge)];
+  sum += quadric_[piece_.mesh.end(edge)];
+  return sum;
+}
+
+void Collapser::push(SideId edge, Place place) {
+  const ErrorQuadric sum = quadric_of(edge);
+  const double error = sum.error(point_of(edge, place) - centre_);
+  // Where the planes are much further off than allowed on average, the surface is too.
+  if (piece_.distance &&
+      error > kHopeless * piece_.distance->error * piece_.distance->error * sum.weight())
+    return;
+  const Vec3 along =
+      piece_.positions[piece_.mesh.end(edge)] - piece_.positions[piece_.mesh.start(edge)];
+  const double cost = error + kLengthWeight * sum.weight() * along.squaredNorm();
+  queue_.push({static_cast<float>(cost), edge, version_[edge], place});
+}
+
+void Collapser::consider(SideId edge) {
+  failed_.clear(edge);
+  const bool start_stays = piece_.mesh.on_boundary(piece_.mesh.start(edge));
+  const bool end_stays = piece_.mesh.on_boundary(piece_.mesh.end(edge));
+  if (start_stays && end_stays) return;
+  push(edge, start_stays ? Place::kStart : (end_stays ? Place::kEnd : Place::kBest));
+}
+
+bool Collapser::meets_link_condition(SideId edge) {
+  const SideId back = piece_.mesh.opposite(edge);
+  ++stamp_;
+  piece_.mesh.for_each_neighbour(piece_.mesh.start(edge), [&](VertexId v) { seen_[v] = stamp_; });
+  int common = 0;
+  piece_.mesh.for_each_neighbour(piece_.mesh.end(edge),
+                                 [&](VertexId v) { common += seen_[v] == stamp_ ? 1 : 0; });
+  if (common != 2 || back == kNone) return false;
+  // Of a tetrahedron nothing would be left.
+  const VertexId tip = piece_.mesh.start(previous_side(edge));
+  int round_tip = 0;
+  piece_.mesh.for_each_leaving(tip, [&](SideId) { ++round_tip; });
+  if (round_tip > 3) return true;
+  const VertexId other = piece_.mesh.start(previous_side(back));
+  bool joined = false;
+  piece_.mesh.for_each_neighbour(tip, [&](VertexId v) { joined = joined || v == other; });
+  return !joined;
+}
+
+void Collapser::make_ring(SideId edge, const Vec3& point) {
+  const SideId back = piece_.mesh.opposite(edge);
+  ring_.kept = piece_.mesh.start(edge);
+  ring_.removed = piece_.mesh.end(edge);
+  ring_.point = point;
+  ring_.triangles.clear();
+  ring_.gone = {triangle_of(edge), triangle_of(back)};
+  for (const VertexId v : {ring_.kept, ring_.removed}) {
+    piece_.mesh.for_each_leaving(v, [&](SideId h) {
+      const TriangleId t = triangle_of(h);
+      if (t == ring_.gone[0] || t == ring_.gone[1]) return;
+      const VertexId from = piece_.mesh.end(h);
+      const VertexId to = piece_.mesh.start(previous_side(h));
+      const SideId beyond = piece_.mesh.opposite(next_side(h));
+      ring_.triangles.push_back({t, from, to, beyond == kNone ? kNone : triangle_of(beyond),
+                                 piece_.positions[from], piece_.positions[to],
+                                 piece_.positions[v]});
+    });
+  }
+}
+
+bool Collapser::keeps_shape() const {
+  double worst = 1;
+  double worst_before = 1;
+  for (const RingTriangle& t : ring_.triangles) {
+    const Vec3 before = doubled_area_vector(t.old_point, t.from_point, t.to_point);
+    const Vec3 after = doubled_area_vector(ring_.point, t.from_point, t.to_point);
+    const double size_before = before.norm();
+    const double size = after.norm();
+    const double shape_before = shape_of(t.old_point, t.from_point, t.to_point);
+    const double shape = shape_of(ring_.point, t.from_point, t.to_point);
+    // The normal of a sliver says little.
+    if (shape_before >= kLeastShape && before.dot(after) < kLeastCosine * size_before * size) {
+      return false;
+    }
+    worst = std::min(worst, shape);
+    worst_before = std::min(worst_before, shape_before);
+  }
+  return worst >= kLeastShape || worst >= worst_before;
+}
+
+Collapser::Verdict Collapser::try_step(SideId edge, Place place) {
+  if (!meets_link_condition(edge)) return Verdict::kNever;
+  make_ring(edge, point_of(edge, place));
+  if (!keeps_shape()) return Verdict::kNoPlace;
+  if (smooth_ && !smooth_->stays_smooth(ring_)) return Verdict::kNoPlace;
+  if (piece_.distance && !stays_near(piece_, ring_)) return Verdict::kNoPlace;
+  if (piece_.guard.would_meet(ring_)) return Verdict::kNoPlace;
+  step(edge);
+  return Verdict::kDone;
+}
+
+void Collapser::step(SideId edge) {
+  if (piece_.distance) piece_.distance->samples.move(ring_);
+  const VertexId v = ring_.kept;
+  piece_.mesh.collapse(edge);
+  piece_.positions[v] = ring_.point;
+  quadric_[v] += quadric_[ring_.removed];
+  piece_.guard.collapsed(ring_);
+  ++collapses_;
+  piece_.mesh.for_each_leaving(v, [&](SideId h) {
+    const SideId changed = piece_.mesh.edge(h);
+    ++version_[changed];
+    consider(changed);
+  });
+  // Edges that had no place may have one now that their surroundings have changed.
+  for (const RingTriangle& t : ring_.triangles) {
+    piece_.mesh.for_each_leaving(t.from, [&](SideId h) {
+      const SideId beside = piece_.mesh.edge(h);
+      if (!failed_.test(beside)) return;
+      ++version_[beside];
+      consider(beside);
+    });
+  }
+}
+
+void Collapser::collapse_to(Index triangles, const std::function<void()>& between) {
+  Index steps = 0;
+  while (!queue_.empty() && piece_.mesh.living_triangles() > triangles) {
+    const Candidate next = queue_.pop();
+    const SideId edge = next.edge;
+    if (next.version != version_[edge] || piece_.mesh.is_removed(triangle_of(edge)) ||
+        piece_.mesh.edge(edge) != edge) {
+      continue;
+    }
+    if (steps++ % kStepsPerReport == 0) between();
+    const Verdict verdict = try_step(edge, next.place);
+    if (verdict == Verdict::kDone) continue;
+    failed_.set(edge);
+    if (verdict == Verdict::kNever || next.place != Place::kBest) continue;
+    push(edge, Place::kStart);
+    push(edge, Place::kEnd);
+    push(edge, Place::kMiddle);
+  }
+}
+
+}  // namespace kdm

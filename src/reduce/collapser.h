@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// Collapses edges of a mesh, the cheapest first, as long as the result stays manifold, meets itself
+// nowhere and stays near to the reference.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "mesh/marks.h"
+#include "reduce/collapse_queue.h"
+#include "reduce/error_quadric.h"
+#include "reduce/smooth_test.h"
+#include "reduce/workpiece.h"
+
+namespace kdm {
+
+/// The loop over the edges.
+class Collapser {
+ public:
+  explicit Collapser(Workpiece& piece);
+
+  /// Goes on until `triangles` are left, or no edge can be collapsed any more. Calls `between` from
+  /// time to time.
+  void collapse_to(Index triangles, const std::function<void()>& between);
+
+  Index collapses() const { return collapses_; }
+
+ private:
+  enum class Verdict { kDone, kNoPlace, kNever };
+
+  void add_quadrics();
+  void consider(SideId edge);
+  void push(SideId edge, Place place);
+  Vec3 point_of(SideId edge, Place place) const;
+  ErrorQuadric quadric_of(SideId edge) const;
+  Verdict try_step(SideId edge, Place place);
+  bool meets_link_condition(SideId edge);
+  void make_ring(SideId edge, const Vec3& point);
+  bool keeps_shape() const;
+  void step(SideId edge);
+
+  Workpiece& piece_;
+  std::optional<SmoothTest> smooth_;   // if a distance is kept
+  std::vector<ErrorQuadric> quadric_;  // per vertex, relative to centre_
+  Vec3 centre_;
+  CollapseQueue queue_;
+  std::vector<Index> version_;  // per half-edge
+  Marks failed_;                // per half-edge: no place for its vertex was found
+  std::vector<Index> seen_;     // per vertex: the last stamp it got
+  Index stamp_ = 0;
+  Ring ring_;
+  Index collapses_ = 0;
+};
+
+}  // namespace kdm

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+// Finds what is near in a tree of boxes and decides by exact predicates.
+#include "reduce/crossing_guard.h"
+
+#include "geometry/triangle_triangle.h"
+
+namespace kdm {
+namespace {
+
+using Crossing = TriangleCrossing<RealKernel>;
+
+// A tree with more triangles taken out than left is built anew.
+constexpr double kWorn = 0.5;
+
+bool has_area(const std::array<Vec3, 3>& t) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (area_sign(t[0], t[1], t[2], axis) != 0) return true;
+  }
+  return false;
+}
+
+std::vector<SmallBox> boxes_of(const HalfEdges& mesh, const std::vector<Vec3>& positions) {
+  std::vector<SmallBox> boxes(mesh.triangles());
+  for (TriangleId t = 0; t < mesh.triangles(); ++t) {
+    const Triangle c = mesh.corners(t);
+    boxes[t] = small_box(positions[c[0]], positions[c[1]], positions[c[2]]);
+  }
+  return boxes;
+}
+
+}  // namespace
+
+CrossingGuard::CrossingGuard(const HalfEdges& mesh, const std::vector<Vec3>& positions)
+    : mesh_(mesh),
+      positions_(positions),
+      tree_(boxes_of(mesh, positions)),
+      rebuild_below_(static_cast<Index>(kWorn * mesh.triangles())),
+      replaced_(mesh.triangles()),
+      simple_(positions.size()) {}
+
+void CrossingGuard::plan(const Triangle& numbers, const std::array<Vec3, 3>& corners) {
+  planned_.push_back({numbers, corners, small_box(corners[0], corners[1], corners[2])});
+}
+
+bool CrossingGuard::meets(const Planned& triangle, TriangleId other) const {
+  const Triangle numbers = mesh_.corners(other);
+  return Crossing::test(triangle.corners, triangle.numbers,
+                        {positions_[numbers[0]], positions_[numbers[1]], positions_[numbers[2]]},
+                        numbers);
+}
+
+// Tells whether the planned triangle shares a vertex with another one round which nothing meets.
+bool CrossingGuard::surely_apart(const Planned& t, const Triangle& other) const {
+  for (const VertexId v : other) {
+    if (simple_.test(v) && (t.numbers[1] == v || t.numbers[2] == v)) return true;
+  }
+  return false;
+}
+
+// Tells whether the planned triangles meet each other or others. Those round a vertex that is
+// marked simple need no test against each other.
+bool CrossingGuard::planned_meet(bool simple_inside) {
+  SmallBox all;
+  for (std::size_t i = 0; i < planned_.size(); ++i) {
+    const Planned& t = planned_[i];
+    if (!has_area(t.corners)) return true;
+    for (std::size_t j = 0; j < i && !simple_inside; ++j) {
+      if (Crossing::test(t.corners, t.numbers, planned_[j].corners, planned_[j].numbers)) {
+        return true;
+      }
+    }
+    all.grow(t.box);
+  }
+  return tree_.any_meeting(all, [&](TriangleId other) {
+    if (replaced_.test(other)) return false;
+    const SmallBox& box = tree_.box(other);
+    const Triangle corners = mesh_.corners(other);
+    for (const Planned& t : planned_) {
+      if (t.box.meets(box) && !surely_apart(t, corners) && meets(t, other)) return true;
+    }
+    return false;
+  });
+}
+
+// Looks at the triangles round the new vertex.
+bool CrossingGuard::is_simple(const Ring& ring) {
+  if (mesh_.on_boundary(ring.kept) || mesh_.on_boundary(ring.removed)) return false;
+  sides_.clear();
+  for (const RingTriangle& t : ring.triangles) {
+    sides_.push_back({t.from_point - ring.point, t.to_point - ring.point});
+  }
+  return is_simple_fan(sides_);
+}
+
+// Looks at the triangles round a vertex of the ring as they would be.
+bool CrossingGuard::is_simple(const Ring& ring, VertexId v) {
+  if (mesh_.on_boundary(v)) return false;
+  sides_.clear();
+  const Vec3& apex = positions_[v];
+  const auto point = [&](VertexId w) -> const Vec3& {
+    return w == ring.kept || w == ring.removed ? ring.point : positions_[w];
+  };
+  mesh_.for_each_leaving(v, [&](SideId h) {
+    const TriangleId t = triangle_of(h);
+    if (t == ring.gone.front() || t == ring.gone.back()) return;
+    sides_.push_back({point(mesh_.end(h)) - apex, point(mesh_.start(previous_side(h))) - apex});
+  });
+  return is_simple_fan(sides_);
+}
+
+bool CrossingGuard::would_meet(const Ring& ring) {
+  planned_.clear();
+  for (const RingTriangle& t : ring.triangles) {
+    plan(numbers_of(ring, t), corners_of(ring, t));
+    replaced_.set(t.number);
+  }
+  for (const TriangleId t : ring.gone) replaced_.set(t);
+  for (const RingTriangle& t : ring.triangles) {
+    if (is_simple(ring, t.from)) simple_.set(t.from);
+  }
+  const bool meet = planned_meet(is_simple(ring));
+  for (const RingTriangle& t : ring.triangles) {
+    replaced_.clear(t.number);
+    simple_.clear(t.from);
+  }
+  for (const TriangleId t : ring.gone) replaced_.clear(t);
+  return meet;
+}
+
+bool CrossingGuard::would_meet(const std::array<TriangleId, 2>& places,
+                               const std::array<Triangle, 2>& triangles) {
+  planned_.clear();
+  for (const Triangle& t : triangles) {
+    plan(t, {positions_[t[0]], positions_[t[1]], positions_[t[2]]});
+  }
+  for (const TriangleId t : places) replaced_.set(t);
+  const bool meet = planned_meet(false);
+  for (const TriangleId t : places) replaced_.clear(t);
+  return meet;
+}
+
+void CrossingGuard::changed(TriangleId t) {
+  const Triangle c = mesh_.corners(t);
+  tree_.change(t, small_box(positions_[c[0]], positions_[c[1]], positions_[c[2]]));
+}
+
+void CrossingGuard::collapsed(const Ring& ring) {
+  for (const TriangleId t : ring.gone) tree_.change(t, {});
+  for (const RingTriangle& t : ring.triangles) {
+    tree_.change(t.number, small_box(ring.point, t.from_point, t.to_point));
+  }
+  if (mesh_.living_triangles() >= rebuild_below_) return;
+  tree_.rebuild();
+  rebuild_below_ = static_cast<Index>(kWorn * mesh_.living_triangles());
+}
+
+}  // namespace kdm

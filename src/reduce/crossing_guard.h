@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// Keeps a mesh from meeting itself while its edges are collapsed and flipped.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "mesh/marks.h"
+#include "reduce/fan.h"
+#include "reduce/half_edges.h"
+#include "reduce/ring.h"
+#include "reduce/triangle_tree.h"
+
+namespace kdm {
+
+/// Tests triangles that a step would make against each other and against all that are near. Exact,
+/// for coordinates of about 1.
+class CrossingGuard {
+ public:
+  CrossingGuard(const HalfEdges& mesh, const std::vector<Vec3>& positions);
+
+  /// Tells whether a triangle of the ring would be without area, or meet another one of the ring or
+  /// of the rest of the mesh where they share neither vertex nor edge.
+  bool would_meet(const Ring& ring);
+  /// Tells the same of two triangles that are to take the place of others, given by numbers.
+  bool would_meet(const std::array<TriangleId, 2>& places,
+                  const std::array<Triangle, 2>& triangles);
+
+  /// Makes known that the ring's triangles are what the last step left.
+  void collapsed(const Ring& ring);
+  /// Makes known that a triangle's corners are others now.
+  void changed(TriangleId t);
+
+  /// Returns the triangles whose boxes meet the box of a sphere.
+  const TriangleTree& tree() const { return tree_; }
+
+ private:
+  struct Planned {
+    Triangle numbers;
+    std::array<Vec3, 3> corners;
+    SmallBox box;
+  };
+
+  void plan(const Triangle& numbers, const std::array<Vec3, 3>& corners);
+  bool is_simple(const Ring& ring);
+  bool is_simple(const Ring& ring, VertexId v);
+  bool planned_meet(bool simple_inside);
+  bool surely_apart(const Planned& t, const Triangle& other) const;
+  bool meets(const Planned& triangle, TriangleId other) const;
+
+  const HalfEdges& mesh_;
+  const std::vector<Vec3>& positions_;
+  TriangleTree tree_;
+  Index rebuild_below_ = 0;  // living triangles at which the tree is built anew
+  Marks replaced_;           // per triangle: takes no part, because a planned one replaces it
+  std::vector<Planned> planned_;
+  // Per vertex: the triangles that there would be round it surely do not meet.
+  Marks simple_;
+  std::vector<OuterSide> sides_;
+};
+
+}  // namespace kdm

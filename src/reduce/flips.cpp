@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// Goes over all edges until nothing changes any more, a few times at most.
+#include "reduce/flips.h"
+
+#include <array>
+
+#include "reduce/near_test.h"
+#include "reduce/shape.h"
+#include "reduce/smooth_test.h"
+
+namespace kdm {
+namespace {
+
+constexpr int kMostRounds = 4;
+
+class Flipper {
+ public:
+  explicit Flipper(Workpiece& piece) : piece_(piece), smooth_(piece, piece.distance->creases) {}
+
+  Index flip_all() {
+    const SideId sides = 3 * piece_.mesh.triangles();
+    Index flips = 0;
+    for (int round = 0; round < kMostRounds; ++round) {
+      const Index before = flips;
+      for (SideId h = 0; h < sides; ++h) {
+        if (piece_.mesh.is_removed(triangle_of(h)) || piece_.mesh.edge(h) != h) continue;
+        if (smooth_.is_false_crease(h) && flip_here(h)) ++flips;
+      }
+      if (flips == before) break;
+    }
+    return flips;
+  }
+
+ private:
+  // Flips the edge, or one of the four other edges of its triangles, if that helps.
+  bool flip_here(SideId h) {
+    const SideId back = piece_.mesh.opposite(h);
+    for (const SideId side :
+         {h, next_side(h), previous_side(h), next_side(back), previous_side(back)}) {
+      if (piece_.mesh.opposite(side) != kNone && try_flip(side)) return true;
+    }
+    return false;
+  }
+
+  bool try_flip(SideId h) {
+    const HalfEdges& mesh = piece_.mesh;
+    const SideId back = mesh.opposite(h);
+    const VertexId a = mesh.start(h);
+    const VertexId b = mesh.start(back);
+    const VertexId c = mesh.start(previous_side(h));
+    const VertexId d = mesh.start(previous_side(back));
+    bool joined = false;
+    mesh.for_each_neighbour(c, [&](VertexId v) { joined = joined || v == d; });
+    if (joined || c == d || !smooth_.flip_smooths(h)) return false;
+    const std::array<TriangleId, 2> places = {triangle_of(h), triangle_of(back)};
+    const std::array<Triangle, 2> triangles = {Triangle{a, d, c}, Triangle{b, c, d}};
+    if (!keeps_shape(triangles) || !edge_stays_near(piece_, c, d)) return false;
+    Samples& samples = piece_.distance->samples;
+    if (!samples.fit(places, {corners(triangles[0]), corners(triangles[1])},
+                     piece_.distance->error)) {
+      return false;
+    }
+    if (piece_.guard.would_meet(places, triangles)) return false;
+    samples.move(places);
+    piece_.mesh.flip(h);
+    for (const TriangleId t : places) piece_.guard.changed(t);
+    return true;
+  }
+
+  std::array<Vec3, 3> corners(const Triangle& t) const {
+    return {piece_.positions[t[0]], piece_.positions[t[1]], piece_.positions[t[2]]};
+  }
+
+  bool keeps_shape(const std::array<Triangle, 2>& triangles) const {
+    for (const Triangle& t : triangles) {
+      const std::array<Vec3, 3> c = corners(t);
+      if (shape_of(c[0], c[1], c[2]) < kLeastShape) return false;
+    }
+    return true;
+  }
+
+  Workpiece& piece_;
+  SmoothTest smooth_;
+};
+
+}  // namespace
+
+Index flip_false_creases(Workpiece& piece) { return Flipper(piece).flip_all(); }
+
+}  // namespace kdm

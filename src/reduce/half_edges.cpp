@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+// Keeps the half-edges linked while edges are collapsed and flipped.
+#include "reduce/half_edges.h"
+
+#include "kdmanifold/error.h"
+#include "mesh/topology.h"
+#include "text/compose.h"
+
+namespace kdm {
+
+HalfEdges::HalfEdges(std::span<const Triangle> triangles, Index vertices)
+    : leaving_(vertices, kNone), living_(static_cast<Index>(triangles.size())) {
+  Topology topology = build_topology(triangles, vertices);
+  if (topology.non_manifold_edges > 0) {
+    throw Error(ErrorCode::kInvalidMesh,
+                compose("triangle {} has an edge with more than two triangles: only 2-manifold "
+                        "meshes can be reduced; make it manifold first",
+                        triangle_of(topology.non_manifold_sides[0])));
+  }
+  opposite_ = std::move(topology.opposite);
+  start_.reserve(3 * triangles.size());
+  for (const Triangle& t : triangles) start_.insert(start_.end(), t.begin(), t.end());
+  for (SideId h = 0; h < start_.size(); ++h) {
+    if (leaving_[start_[h]] == kNone || opposite_[h] == kNone) leaving_[start_[h]] = h;
+  }
+  check_fans();
+}
+
+// Every corner of a vertex must be met on the walk round it.
+void HalfEdges::check_fans() const {
+  std::vector<Index> corners(vertices(), 0);
+  for (const VertexId v : start_) ++corners[v];
+  for (VertexId v = 0; v < vertices(); ++v) {
+    if (leaving_[v] == kNone) continue;
+    Index met = 0;
+    for_each_leaving(v, [&](SideId) { ++met; });
+    if (met == corners[v]) continue;
+    throw Error(
+        ErrorCode::kInvalidMesh,
+        compose("the triangles of vertex {} do not form one fan: only 2-manifold meshes can "
+                "be reduced; make it manifold first",
+                v));
+  }
+}
+
+void HalfEdges::join(SideId a, SideId b) {
+  if (a != kNone) opposite_[a] = b;
+  if (b != kNone) opposite_[b] = a;
+}
+
+void HalfEdges::remove_triangle(TriangleId t) {
+  for (SideId h = 3 * t; h < 3 * t + 3; ++h) {
+    start_[h] = kNone;
+    opposite_[h] = kNone;
+  }
+  --living_;
+}
+
+// Finds the vertex's half-edge from which a walk meets all its triangles, from one of them.
+void HalfEdges::settle(VertexId v, SideId h) {
+  leaving_[v] = h;
+  for (SideId back = opposite_[h]; back != kNone; back = opposite_[h]) {
+    h = next_side(back);
+    if (h == leaving_[v]) return;
+  }
+  leaving_[v] = h;
+}
+
+void HalfEdges::collapse(SideId h) {
+  const VertexId kept = start_[h];
+  const VertexId removed = end(h);
+  const std::array<SideId, 2> sides = {h, opposite_[h]};
+  for_each_leaving(removed, [&](SideId leaving) { start_[leaving] = kept; });
+  leaving_[removed] = kNone;
+  for (const SideId side : sides) {
+    if (side == kNone) continue;
+    const SideId previous = previous_side(side);
+    const VertexId tip = start_[previous];
+    // Half-edges of the neighbours that become opposites: one from the tip and one to it.
+    const SideId from_tip = opposite_[next_side(side)];
+    const SideId to_tip = opposite_[previous];
+    join(from_tip, to_tip);
+    remove_triangle(triangle_of(side));
+    settle(tip, from_tip != kNone ? from_tip : next_side(to_tip));
+    leaving_[kept] = to_tip != kNone ? to_tip : next_side(from_tip);
+  }
+  settle(kept, leaving_[kept]);
+}
+
+void HalfEdges::flip(SideId h) {
+  // Triangle (a, b, c) of h becomes (a, d, c), and (b, a, d) beyond it becomes (b, c, d).
+  const SideId back = opposite_[h];
+  const SideId from_b = next_side(h);
+  const SideId from_a = next_side(back);
+  const VertexId a = start_[h];
+  const VertexId b = start_[back];
+  if (leaving_[a] == from_a) leaving_[a] = h;
+  if (leaving_[b] == from_b) leaving_[b] = back;
+  start_[from_b] = start_[previous_side(back)];
+  start_[from_a] = start_[previous_side(h)];
+  join(h, opposite_[from_a]);
+  join(back, opposite_[from_b]);
+  join(from_a, from_b);
+}
+
+}  // namespace kdm

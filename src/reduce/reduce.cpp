@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+// Prepares the mesh and its reference for the collapser, and hands the result out.
+#include "kdmanifold/reduce.h"
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <optional>
+
+#include "kdmanifold/error.h"
+#include "mesh/boxes.h"
+#include "mesh/check_indices.h"
+#include "mesh/check_positions.h"
+#include "mesh/marks.h"
+#include "mesh/progress.h"
+#include "mesh/scale.h"
+#include "reduce/carry_over.h"
+#include "reduce/collapser.h"
+#include "reduce/flips.h"
+#include "reduce/scaled_mesh.h"
+#include "text/compose.h"
+
+namespace kdm {
+namespace {
+
+// Parts of the mesh that are further from the reference than this many times the error are taken
+// for surface that the reference lacks. What is extracted within the error is nearer.
+constexpr double kForeign = 2;
+
+// The part of the work that is done before the first edge is collapsed.
+constexpr double kBefore = 0.2;
+// A crease of the mesh is a true one if the reference has one within this part of its diagonal.
+constexpr double kCreaseReach = 0.005;
+
+double diagonal_of(const std::vector<Vec3>& positions) {
+  Box box;
+  for (const Vec3& p : positions) grow(box, p);
+  return (box.max - box.min).norm();
+}
+
+// Returns the triangles of the reference, and those of the mesh that it lacks.
+Reference reference_for(const ScaledMesh& mesh, const ScaledMesh& reference, double error) {
+  std::vector<std::array<Vec3, 3>> triangles = reference.all_corners();
+  Reference given(triangles);
+  TriangleId hint = kNone;
+  const auto is_near = [&](const Vec3& p) { return given.is_near(p, kForeign * error, hint); };
+  Marks near(mesh.positions.size());
+  for (PointId p = 0; p < near.size(); ++p) near.set(p, is_near(mesh.positions[p]));
+  for (TriangleId t = 0; t < mesh.triangles.size(); ++t) {
+    const Triangle& c = mesh.triangles[t];
+    const std::array<Vec3, 3> corners = mesh.corners(t);
+    if (near.test(c[0]) && near.test(c[1]) && near.test(c[2]) &&
+        is_near((corners[0] + corners[1] + corners[2]) / 3)) {
+      continue;
+    }
+    triangles.push_back(corners);
+  }
+  if (triangles.size() == given.size()) return given;
+  return Reference(std::move(triangles));
+}
+
+// Returns the vertices of the mesh and of the reference, each at a triangle of the mesh that is
+// near to it. `surface` holds the mesh's triangles, `kept` the reference's. Vertices of the
+// reference that the mesh does not come near to are left out.
+Samples samples_of(const ScaledMesh& mesh, const Reference& surface, const ScaledMesh& reference,
+                   const Reference& kept, double error) {
+  Samples samples(static_cast<Index>(mesh.triangles.size()));
+  TriangleId near = kNone;
+  Marks seen(mesh.positions.size());
+  for (TriangleId t = 0; t < mesh.triangles.size(); ++t) {
+    for (const PointId p : mesh.triangles[t]) {
+      if (seen.test_and_set(p) || !kept.is_near(mesh.positions[p], error, near)) continue;
+      samples.add(mesh.positions[p], t, near);
+    }
+  }
+  TriangleId hint = kNone;
+  seen.assign(reference.positions.size());
+  for (TriangleId t = 0; t < reference.triangles.size(); ++t) {
+    for (const PointId p : reference.triangles[t]) {
+      if (seen.test_and_set(p)) continue;
+      const TriangleId place = surface.nearest(reference.positions[p], error, hint);
+      if (place == kNone) continue;
+      samples.add(reference.positions[p], place, t);
+      hint = place;
+    }
+  }
+  return samples;
+}
+
+Mesh mesh_of(const Workpiece& piece, int exponent) {
+  Mesh out;
+  const HalfEdges& mesh = piece.mesh;
+  std::vector<Index> numbers(mesh.vertices(), kNone);
+  for (VertexId v = 0; v < mesh.vertices(); ++v) {
+    if (mesh.leaving(v) == kNone) continue;
+    numbers[v] = static_cast<Index>(out.positions.size());
+    const Vec3& p = piece.positions[v];
+    out.positions.push_back(
+        {std::ldexp(p[0], exponent), std::ldexp(p[1], exponent), std::ldexp(p[2], exponent)});
+  }
+  for (TriangleId t = 0; t < mesh.triangles(); ++t) {
+    if (mesh.is_removed(t)) continue;
+    const Triangle c = mesh.corners(t);
+    out.triangles.push_back({numbers[c[0]], numbers[c[1]], numbers[c[2]]});
+  }
+  return out;
+}
+
+void check_options(const ReduceOptions& options) {
+  if (!(options.error >= 0) || std::isinf(options.error)) {
+    throw Error(ErrorCode::kInvalidOption,
+                compose("error is {}; it must be a finite number from 0 on", options.error));
+  }
+  const std::vector<Index>& targets = options.target_triangles;
+  if (options.error == 0 && targets.empty()) {
+    throw Error(ErrorCode::kInvalidOption,
+                "neither error nor target_triangles says how far to reduce");
+  }
+  for (std::size_t i = 1; i < targets.size(); ++i) {
+    if (targets[i] < targets[i - 1]) continue;
+    throw Error(ErrorCode::kInvalidOption,
+                compose("target_triangles has {} after {}; each number must be smaller than the "
+                        "one before",
+                        targets[i], targets[i - 1]));
+  }
+}
+
+// Throws if the arrays of a mesh do not fit together.
+void check_mesh(const Mesh& mesh) {
+  check_indices(mesh);
+  check_positions(mesh);
+  const std::size_t faces = mesh.triangles.size() + mesh.quads.size();
+  if (!mesh.source_faces.empty() && mesh.source_faces.size() != faces) {
+    throw Error(ErrorCode::kInvalidMesh, compose("source_faces has {} entries for {} faces",
+                                                 mesh.source_faces.size(), faces));
+  }
+  const std::size_t corners = 3 * mesh.triangles.size() + 4 * mesh.quads.size();
+  if (!mesh.corner_normals.empty() && mesh.corner_normals.size() != corners) {
+    throw Error(ErrorCode::kInvalidMesh, compose("corner_normals has {} entries for {} corners",
+                                                 mesh.corner_normals.size(), corners));
+  }
+}
+
+}  // namespace
+
+ReducedMesh reduce(const Mesh& mesh, const Mesh& reference, const ReduceOptions& options,
+                   const Progress& progress) try {
+  check_options(options);
+  check_mesh(mesh);
+  check_mesh(reference);
+  report_progress(progress, 0, "reduce");
+  const int exponent = scale_to_one(mesh.positions).exponent;
+  const ScaledMesh from = scaled_mesh(mesh, -exponent);
+  HalfEdges half_edges(from.triangles, static_cast<Index>(from.positions.size()));
+  const Reference surface(from.all_corners());
+  std::optional<Reference> kept;
+  std::optional<KeptDistance> distance;
+  if (options.error > 0) {
+    const ScaledMesh to = scaled_mesh(reference, -exponent);
+    const double error = std::ldexp(options.error, -exponent);
+    kept.emplace(reference_for(from, to, error));
+    distance.emplace(KeptDistance{&*kept,
+                                  samples_of(from, surface, to, *kept, error),
+                                  error,
+                                  {*kept, kCreaseReach * diagonal_of(to.positions)}});
+  }
+  Workpiece piece(std::move(half_edges), from.positions, std::move(distance));
+  ReducedMesh out;
+  const auto level = [&] {
+    Mesh result = mesh_of(piece, exponent);
+    carry_over(from, surface, -exponent, result);
+    return result;
+  };
+  if (piece.distance) out.report.flips += flip_false_creases(piece);
+  Collapser collapser(piece);
+  std::vector<Index> targets = options.target_triangles;
+  if (targets.empty()) targets = {0};
+  const Index at_first = piece.mesh.living_triangles();
+  for (const Index target : targets) {
+    // What is left to do is known where a number of triangles is asked for.
+    const auto done = [&] {
+      const Index gone = at_first - piece.mesh.living_triangles();
+      return static_cast<double>(gone) /
+             std::max(1u, at_first - std::min(at_first, targets.back()));
+    };
+    collapser.collapse_to(
+        target, [&] { report_progress(progress, kBefore + (1 - kBefore) * done(), "reduce"); });
+    if (!options.target_triangles.empty()) out.levels.push_back(level());
+  }
+  if (piece.distance) out.report.flips += flip_false_creases(piece);
+  static_cast<Mesh&>(out) = level();
+  if (!out.levels.empty()) out.levels.back() = out;
+  out.report.collapses = collapser.collapses();
+  report_progress(progress, 1, "reduce");
+  return out;
+} catch (const std::bad_alloc&) {
+  throw Error(ErrorCode::kOutOfMemory, "there is not enough memory to reduce the mesh");
+}
+
+}  // namespace kdm

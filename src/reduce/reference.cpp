@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// Looks the triangles up in a tree.
+#include "reduce/reference.h"
+
+#include <limits>
+
+#include "geometry/distance.h"
+#include "geometry/triangle.h"
+
+namespace kdm {
+namespace {
+
+std::vector<SmallBox> boxes_of(const std::vector<std::array<Vec3, 3>>& triangles) {
+  std::vector<SmallBox> boxes;
+  boxes.reserve(triangles.size());
+  for (const std::array<Vec3, 3>& t : triangles) boxes.push_back(small_box(t[0], t[1], t[2]));
+  return boxes;
+}
+
+Vec3 normal_of(const std::array<Vec3, 3>& t) {
+  return normalized_or_zero(doubled_area_vector(t[0], t[1], t[2]));
+}
+
+}  // namespace
+
+Reference::Reference(std::vector<std::array<Vec3, 3>> triangles)
+    : triangles_(std::move(triangles)), tree_(boxes_of(triangles_)) {}
+
+double Reference::squared_distance(TriangleId t, const Vec3& p) const {
+  const std::array<Vec3, 3>& corners = triangles_[t];
+  return kdm::squared_distance(p, corners[0], corners[1], corners[2]);
+}
+
+bool Reference::is_near(const Vec3& p, double distance, TriangleId& hint) const {
+  const double enough = distance * distance;
+  if (hint != kNone && squared_distance(hint, p) <= enough) return true;
+  const TriangleId found =
+      tree_.nearest(p, enough, enough, hint, [&](TriangleId t) { return squared_distance(t, p); });
+  if (found == kNone) return false;
+  hint = found;
+  return true;
+}
+
+TriangleId Reference::nearest(const Vec3& p, double distance, TriangleId hint) const {
+  return tree_.nearest(p, distance * distance, 0, hint,
+                       [&](TriangleId t) { return squared_distance(t, p); });
+}
+
+TriangleId Reference::nearest_facing(const Vec3& p, const Vec3& normal, TriangleId hint) const {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  return tree_.nearest(p, std::numeric_limits<double>::max(), 0, hint, [&](TriangleId t) {
+    return normal_of(triangles_[t]).dot(normal) > 0 ? squared_distance(t, p) : kFar;
+  });
+}
+
+}  // namespace kdm

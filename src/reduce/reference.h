@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// The surface that a reduced mesh must stay near to.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "reduce/triangle_tree.h"
+
+namespace kdm {
+
+/// Triangles, asked for what is near to a point.
+class Reference {
+ public:
+  explicit Reference(std::vector<std::array<Vec3, 3>> triangles);
+
+  Index size() const { return static_cast<Index>(triangles_.size()); }
+  const std::array<Vec3, 3>& corners(TriangleId t) const { return triangles_[t]; }
+
+  /// Tells whether a triangle is within `distance` of the point. Looks at the triangle `hint` first
+  /// (kNone: at none) and sets it to the one that was found.
+  bool is_near(const Vec3& p, double distance, TriangleId& hint) const;
+  /// Returns the nearest triangle of those within `distance`, or kNone. Begins at the triangle
+  /// `hint` (kNone: anywhere); of several that are equally near, any may be returned.
+  TriangleId nearest(const Vec3& p, double distance, TriangleId hint) const;
+  /// Returns the nearest triangle of those whose normals point to the same side as `normal`, or
+  /// kNone.
+  TriangleId nearest_facing(const Vec3& p, const Vec3& normal, TriangleId hint) const;
+  double squared_distance(TriangleId t, const Vec3& p) const;
+  const TriangleTree& tree() const { return tree_; }
+
+ private:
+  std::vector<std::array<Vec3, 3>> triangles_;
+  TriangleTree tree_;
+};
+
+}  // namespace kdm

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// Points that the reduced mesh must stay near to, each kept at a triangle that is near to it.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "reduce/ring.h"
+
+namespace kdm {
+
+/// The points. When a step replaces triangles, their points move to those that take their place.
+class Samples {
+ public:
+  /// `triangles` is how many triangles the mesh has.
+  explicit Samples(Index triangles) : first_(triangles, kNone) {}
+
+  /// Puts a point to a triangle. `near` is a triangle of the reference that is near to the point.
+  void add(const Vec3& point, TriangleId t, TriangleId near);
+
+  /// Tells whether each point at the ring's triangles, and at those that go, is within `distance`
+  /// of one of the ring's.
+  bool fit(const Ring& ring, double distance);
+  /// The same for two triangles, whose corners are to be others.
+  bool fit(const std::array<TriangleId, 2>& triangles,
+           const std::array<std::array<Vec3, 3>, 2>& corners, double distance);
+
+  /// After `fit`: returns, for a triangle of the ring by its place there, a triangle of the
+  /// reference that may be near to the middle of its side from the new vertex; kNone if none of the
+  /// points went to it.
+  TriangleId hint(std::size_t place) const { return hints_[place]; }
+
+  /// Moves the points to where the last call of `fit` found place for them.
+  void move(const Ring& ring);
+  void move(const std::array<TriangleId, 2>& triangles);
+
+ private:
+  struct Place {
+    Index sample;
+    Index target;  // its place among the targets
+  };
+
+  bool find_places(TriangleId from, Index at, double distance);
+  void find_hints(const Ring& ring);
+  void put(Index sample, TriangleId t) {
+    next_[sample] = first_[t];
+    first_[t] = sample;
+  }
+
+  std::vector<Vec3> point_;
+  std::vector<TriangleId> near_;              // per sample
+  std::vector<Index> next_;                   // per sample: the next one at the same triangle
+  std::vector<Index> first_;                  // per triangle
+  std::vector<std::array<Vec3, 3>> targets_;  // where points may go
+  std::vector<Place> places_;
+  std::vector<TriangleId> hints_;  // per triangle of the ring
+  std::vector<double> off_;        // per triangle of the ring: how far the hint's point is
+};
+
+}  // namespace kdm

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+// Compares normals.
+#include "reduce/smooth_test.h"
+
+#include <algorithm>
+#include <array>
+
+#include "geometry/triangle.h"
+
+namespace kdm {
+namespace {
+
+// Cosine of 30 degrees: what turns by more looks like a crease. And what rounding may do to it.
+constexpr double kSmooth = 0.8660254037844387;
+constexpr double kSlack = 1e-9;
+
+Vec3 unit_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
+  return normalized_or_zero(doubled_area_vector(a, b, c));
+}
+
+}  // namespace
+
+Vec3 SmoothTest::normal_of(TriangleId t) const {
+  const Triangle c = piece_.mesh.corners(t);
+  return unit_normal(piece_.positions[c[0]], piece_.positions[c[1]], piece_.positions[c[2]]);
+}
+
+bool SmoothTest::stays_smooth(const Ring& ring) {
+  normals_before_.clear();
+  normals_after_.clear();
+  before_.clear();
+  after_.clear();
+  for (const RingTriangle& t : ring.triangles) {
+    normals_before_.push_back(unit_normal(t.old_point, t.from_point, t.to_point));
+    normals_after_.push_back(unit_normal(ring.point, t.from_point, t.to_point));
+  }
+  const auto look = [&](std::vector<Turn>& turns, double cosine, const Vec3& p, const Vec3& q) {
+    if (cosine < kSmooth) turns.push_back({cosine, 0.5 * (p + q)});
+  };
+  if (ring.gone.size() == 2) {
+    look(before_, normal_of(ring.gone[0]).dot(normal_of(ring.gone[1])), piece_.positions[ring.kept],
+         piece_.positions[ring.removed]);
+  }
+  for (std::size_t i = 0; i < ring.triangles.size(); ++i) {
+    const RingTriangle& t = ring.triangles[i];
+    if (t.beyond != kNone) {
+      const Vec3 normal = normal_of(t.beyond);
+      look(before_, normal.dot(normals_before_[i]), t.from_point, t.to_point);
+      look(after_, normal.dot(normals_after_[i]), t.from_point, t.to_point);
+    }
+    for (std::size_t j = 0; j < ring.triangles.size(); ++j) {
+      if (ring.triangles[j].from != t.to) continue;
+      look(before_, normals_before_[i].dot(normals_before_[j]), t.old_point, t.to_point);
+      look(after_, normals_after_[i].dot(normals_after_[j]), ring.point, t.to_point);
+    }
+  }
+  if (after_.empty()) return true;
+  const auto is_false = [&](const Turn& turn) { return !creases_.are_near(turn.middle); };
+  const auto after = std::count_if(after_.begin(), after_.end(), is_false);
+  return after == 0 || after < std::count_if(before_.begin(), before_.end(), is_false);
+}
+
+bool SmoothTest::is_false_crease(SideId h) {
+  const HalfEdges& mesh = piece_.mesh;
+  const SideId back = mesh.opposite(h);
+  if (back == kNone || normal_of(triangle_of(h)).dot(normal_of(triangle_of(back))) >= kSmooth) {
+    return false;
+  }
+  return !creases_.are_near(0.5 *
+                            (piece_.positions[mesh.start(h)] + piece_.positions[mesh.end(h)]));
+}
+
+bool SmoothTest::flip_smooths(SideId h) const {
+  const HalfEdges& mesh = piece_.mesh;
+  const SideId back = mesh.opposite(h);
+  const auto point = [&](SideId side) -> const Vec3& { return piece_.positions[mesh.start(side)]; };
+  // Triangles (a, b, c) and (b, a, d) become (a, d, c) and (b, c, d).
+  const Vec3& a = point(h);
+  const Vec3& b = point(back);
+  const Vec3& c = point(previous_side(h));
+  const Vec3& d = point(previous_side(back));
+  const std::array<Vec3, 2> before = {normal_of(triangle_of(h)), normal_of(triangle_of(back))};
+  const std::array<Vec3, 2> after = {unit_normal(a, d, c), unit_normal(b, c, d)};
+  double worst_before = before[0].dot(before[1]);
+  double worst_after = after[0].dot(after[1]);
+  const auto compare = [&](SideId side, int now, int then) {
+    const SideId beyond = mesh.opposite(side);
+    if (beyond == kNone) return;
+    const Vec3 normal = normal_of(triangle_of(beyond));
+    worst_before = std::min(worst_before, normal.dot(before[now]));
+    worst_after = std::min(worst_after, normal.dot(after[then]));
+  };
+  compare(next_side(h), 0, 1);         // b to c
+  compare(previous_side(h), 0, 0);     // c to a
+  compare(next_side(back), 1, 0);      // a to d
+  compare(previous_side(back), 1, 1);  // d to b
+  return worst_after > worst_before + kSlack;
+}
+
+}  // namespace kdm

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+// Builds and updates the tree.
+#include "reduce/triangle_tree.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "mesh/sort.h"
+
+namespace kdm {
+namespace {
+
+float rounded_down(double value) {
+  const float near = static_cast<float>(value);
+  return near > value ? std::nextafter(near, -SmallBox::kFar) : near;
+}
+
+float rounded_up(double value) {
+  const float near = static_cast<float>(value);
+  return near < value ? std::nextafter(near, SmallBox::kFar) : near;
+}
+
+// Spreads the lowest ten bits so that two zeros follow each.
+std::uint32_t spread(std::uint32_t bits) {
+  bits = (bits | bits << 16) & 0x030000ffu;
+  bits = (bits | bits << 8) & 0x0300f00fu;
+  bits = (bits | bits << 4) & 0x030c30c3u;
+  return (bits | bits << 2) & 0x09249249u;
+}
+
+// Returns the triangles in the order of their boxes' centres on a space-filling curve, without
+// those whose box is empty.
+std::vector<std::uint64_t> along_curve(const std::vector<SmallBox>& boxes) {
+  SmallBox all;
+  for (const SmallBox& box : boxes) all.grow(box);
+  std::array<float, 3> scale{};
+  for (int axis = 0; axis < 3; ++axis) {
+    const float width = all.max[axis] - all.min[axis];
+    scale[axis] = width > 0 ? 511.9f / width : 0;
+  }
+  std::vector<std::uint64_t> codes;
+  codes.reserve(boxes.size());
+  for (TriangleId t = 0; t < boxes.size(); ++t) {
+    const SmallBox& box = boxes[t];
+    if (box.min[0] > box.max[0]) continue;
+    std::uint32_t code = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const float twice = box.min[axis] - all.min[axis] + (box.max[axis] - all.min[axis]);
+      code |= spread(static_cast<std::uint32_t>(twice * scale[axis])) << axis;
+    }
+    codes.push_back(std::uint64_t{code} << 32 | t);
+  }
+  sort_numbers(std::span(codes));
+  return codes;
+}
+
+}  // namespace
+
+void SmallBox::grow(const Vec3& p) {
+  for (int axis = 0; axis < 3; ++axis) {
+    min[axis] = std::min(min[axis], rounded_down(p[axis]));
+    max[axis] = std::max(max[axis], rounded_up(p[axis]));
+  }
+}
+
+void SmallBox::grow(const SmallBox& other) {
+  for (int axis = 0; axis < 3; ++axis) {
+    min[axis] = std::min(min[axis], other.min[axis]);
+    max[axis] = std::max(max[axis], other.max[axis]);
+  }
+}
+
+SmallBox small_box(const Vec3& a, const Vec3& b, const Vec3& c) {
+  SmallBox box;
+  box.grow(a);
+  box.grow(b);
+  box.grow(c);
+  return box;
+}
+
+SmallBox small_box(const Vec3& centre, double radius) {
+  SmallBox box;
+  box.grow(Vec3(centre.array() - radius));
+  box.grow(Vec3(centre.array() + radius));
+  return box;
+}
+
+TriangleTree::TriangleTree(std::vector<SmallBox> boxes) : boxes_(std::move(boxes)) {
+  const std::vector<std::uint64_t> codes = along_curve(boxes_);
+  if (codes.empty()) return;
+  leaves_ = std::bit_ceil(static_cast<Index>((codes.size() + kLeafSize - 1) / kLeafSize));
+  order_.assign(std::size_t{leaves_} * kLeafSize, kNone);
+  place_.assign(boxes_.size(), kNone);
+  for (std::size_t i = 0; i < codes.size(); ++i) {
+    order_[i] = static_cast<TriangleId>(codes[i] & 0xffffffffu);
+    place_[order_[i]] = static_cast<Index>(i);
+  }
+  nodes_.resize(std::size_t{leaves_} * 2);
+  for (Index leaf = 0; leaf < leaves_; ++leaf) nodes_[leaves_ + leaf] = leaf_box(leaf);
+  for (Index node = leaves_ - 1; node > 0; --node) {
+    nodes_[node] = nodes_[2 * node];
+    nodes_[node].grow(nodes_[2 * node + 1]);
+  }
+}
+
+SmallBox TriangleTree::leaf_box(Index leaf) const {
+  SmallBox box;
+  for (Index i = leaf * kLeafSize; i < (leaf + 1) * kLeafSize; ++i) {
+    if (order_[i] != kNone) box.grow(boxes_[order_[i]]);
+  }
+  return box;
+}
+
+void TriangleTree::change(TriangleId t, const SmallBox& box) {
+  boxes_[t] = box;
+  const Index leaf = place_[t] / kLeafSize;
+  Index node = leaves_ + leaf;
+  SmallBox around = leaf_box(leaf);
+  while (!(around == nodes_[node])) {
+    nodes_[node] = around;
+    if (node == 1) return;
+    around.grow(nodes_[node ^ 1]);
+    node /= 2;
+  }
+}
+
+}  // namespace kdm

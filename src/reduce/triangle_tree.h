@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+// A tree of boxes over triangles that come and go: a complete binary tree over leaves of four
+// triangles each, in the order of a space-filling curve. `BoxTree` of room `mesh` is for boxes that
+// stay what they are.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "mesh/numbers.h"
+
+namespace kdm {
+
+/// A box in single precision, which never is smaller than what it was made for.
+struct SmallBox {
+  std::array<float, 3> min = {kFar, kFar, kFar};
+  std::array<float, 3> max = {-kFar, -kFar, -kFar};
+
+  static constexpr float kFar = std::numeric_limits<float>::infinity();
+
+  /// Widens the box so that it holds the point, rounded outwards.
+  void grow(const Vec3& p);
+  void grow(const SmallBox& other);
+  bool meets(const SmallBox& other) const {
+    return min[0] <= other.max[0] && min[1] <= other.max[1] && min[2] <= other.max[2] &&
+           max[0] >= other.min[0] && max[1] >= other.min[1] && max[2] >= other.min[2];
+  }
+  double squared_distance(const Vec3& p) const {
+    double sum = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double off = std::max({min[axis] - p[axis], p[axis] - max[axis], 0.0});
+      sum += off * off;
+    }
+    return sum;
+  }
+  bool operator==(const SmallBox&) const = default;
+};
+
+/// Returns the box round the points.
+SmallBox small_box(const Vec3& a, const Vec3& b, const Vec3& c);
+/// Returns the box that holds all points no further from `centre` than `radius`, and a little more.
+SmallBox small_box(const Vec3& centre, double radius);
+
+/// The tree. It keeps a box for each triangle.
+class TriangleTree {
+ public:
+  TriangleTree() = default;
+  /// `boxes` has a box for each triangle; empty ones take no part.
+  explicit TriangleTree(std::vector<SmallBox> boxes);
+
+  /// Calls `test(t)` for triangles whose boxes meet the box until it returns true, and returns
+  /// whether it did.
+  template <typename Test>
+  bool any_meeting(const SmallBox& box, const Test& test) const {
+    if (nodes_.empty()) return false;
+    std::array<Index, 64> stack;
+    int size = 0;
+    stack[size++] = 1;
+    while (size > 0) {
+      const Index node = stack[--size];
+      if (!nodes_[node].meets(box)) continue;
+      if (node < leaves_) {
+        stack[size++] = 2 * node + 1;
+        stack[size++] = 2 * node;
+        continue;
+      }
+      const std::size_t first = std::size_t{node - leaves_} * kLeafSize;
+      for (std::size_t i = first; i < first + kLeafSize; ++i) {
+        const TriangleId t = order_[i];
+        if (t != kNone && boxes_[t].meets(box) && test(t)) return true;
+      }
+    }
+    return false;
+  }
+
+  /// Returns the triangle that is nearest to the point, of those whose squared distance is at most
+  /// `bound`; kNone if there is none. `squared_distance(t)` returns a triangle's. The search ends
+  /// with the first triangle that is no further than `enough`. It begins beside the triangle `hint`
+  /// (kNone: anywhere), which makes it quick if that one is near; of triangles that are equally
+  /// near, the answer depends on the hint.
+  template <typename Distance>
+  TriangleId nearest(const Vec3& p, double bound, double enough, TriangleId hint,
+                     const Distance& squared_distance) const {
+    Nearest<Distance> search{p, bound, enough, kNone, squared_distance};
+    if (nodes_.empty()) return kNone;
+    Index node = hint == kNone || place_[hint] == kNone ? 1 : leaves_ + place_[hint] / kLeafSize;
+    if (nodes_[node].squared_distance(p) <= bound) look_below(node, search);
+    for (; node > 1 && !search.done(); node /= 2) {
+      if (nodes_[node ^ 1].squared_distance(p) <= search.bound) look_below(node ^ 1, search);
+    }
+    return search.best;
+  }
+
+  /// Gives a triangle another box; `SmallBox{}` takes it out.
+  void change(TriangleId t, const SmallBox& box);
+  /// Builds the tree anew, without the triangles that were taken out.
+  void rebuild() { *this = TriangleTree(std::move(boxes_)); }
+
+  const SmallBox& box(TriangleId t) const { return boxes_[t]; }
+
+ private:
+  static constexpr Index kLeafSize = 4;
+
+  // The state of a search for what is nearest.
+  template <typename Distance>
+  struct Nearest {
+    const Vec3& p;
+    double bound;
+    double enough;
+    TriangleId best;
+    const Distance& squared_distance;
+
+    bool done() const { return best != kNone && bound <= enough; }
+  };
+
+  template <typename Distance>
+  void look_below(Index top, Nearest<Distance>& search) const {
+    std::array<Index, 64> stack;
+    std::array<double, 64> distance;
+    int size = 0;
+    for (Index node = top;;) {
+      while (node < leaves_) {
+        Index near = 2 * node;
+        Index far = near + 1;
+        double to_near = nodes_[near].squared_distance(search.p);
+        double to_far = nodes_[far].squared_distance(search.p);
+        if (to_far < to_near) {
+          std::swap(near, far);
+          std::swap(to_near, to_far);
+        }
+        if (to_far <= search.bound) {
+          distance[size] = to_far;
+          stack[size++] = far;
+        }
+        if (to_near > search.bound) break;
+        node = near;
+      }
+      if (node >= leaves_) look_at_leaf(node - leaves_, search);
+      if (search.done()) return;
+      do {
+        if (size == 0) return;
+        node = stack[--size];
+      } while (distance[size] > search.bound);
+    }
+  }
+
+  template <typename Distance>
+  void look_at_leaf(Index leaf, Nearest<Distance>& search) const {
+    for (Index i = leaf * kLeafSize; i < (leaf + 1) * kLeafSize; ++i) {
+      const TriangleId t = order_[i];
+      if (t == kNone) return;
+      if (boxes_[t].squared_distance(search.p) > search.bound) continue;
+      const double distance = search.squared_distance(t);
+      if (distance > search.bound || (distance == search.bound && search.best != kNone)) continue;
+      search.bound = distance;
+      search.best = t;
+      if (search.done()) return;
+    }
+  }
+
+  SmallBox leaf_box(Index leaf) const;
+
+  Index leaves_ = 0;               // a power of two; node i has the children 2i and 2i + 1
+  std::vector<SmallBox> nodes_;    // from 1 on, the leaves last
+  std::vector<TriangleId> order_;  // four a leaf, kNone for none
+  std::vector<Index> place_;       // per triangle: where it stands in order_
+  std::vector<SmallBox> boxes_;    // per triangle
+};
+
+}  // namespace kdm

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// The mesh while it is reduced, with what its steps are held against.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "reduce/crossing_guard.h"
+#include "reduce/half_edges.h"
+#include "reduce/reference.h"
+#include "reduce/samples.h"
+#include "reduce/true_creases.h"
+
+namespace kdm {
+
+/// The distance that is kept between the mesh and a reference, both ways.
+struct KeptDistance {
+  const Reference* reference;  ///< must outlive this
+  Samples samples;             ///< points of the reference and of the mesh
+  double error;                ///< the largest distance
+  TrueCreases creases;         ///< of the reference
+};
+
+/// The mesh. Coordinates are of about 1.
+struct Workpiece {
+  Workpiece(HalfEdges half_edges, std::vector<Vec3> points, std::optional<KeptDistance> kept)
+      : mesh(std::move(half_edges)),
+        positions(std::move(points)),
+        distance(std::move(kept)),
+        near(positions.size(), kNone),
+        guard(mesh, positions) {}
+  Workpiece(const Workpiece&) = delete;  // the guard refers to the mesh
+  Workpiece& operator=(const Workpiece&) = delete;
+
+  HalfEdges mesh;
+  std::vector<Vec3> positions;           // per vertex
+  std::optional<KeptDistance> distance;  // none: the number of triangles alone decides
+  std::vector<TriangleId> near;  // per vertex: the reference's triangle that was found near it
+  CrossingGuard guard;
+};
+
+}  // namespace kdm

@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: MIT
+// What `reduce` promises, on shapes whose best answer is known and on curved ones.
+#include "kdmanifold/reduce.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <numeric>
+
+#include <Eigen/Geometry>
+#include "kdmanifold/build.h"
+#include "kdmanifold/error.h"
+#include "kdmanifold/extract.h"
+#include "support/mesh_assert.h"
+#include "support/shapes.h"
+#include "support/sheets.h"
+
+namespace kdm {
+namespace {
+
+Mesh built(const Mesh& input, double tolerance) {
+  return extract(build_grid(input, {.tolerance = tolerance}), {.strict = Strict::kEmbedded});
+}
+
+Mesh l_shape() {
+  return shapes::voxels(2, 2, 1, [](int x, int y, int) { return x + y < 2; });
+}
+
+Mesh box_with_hole() {
+  return shapes::voxels(3, 3, 1, [](int x, int y, int) { return x != 1 || y != 1; });
+}
+
+// As good as possible, in whatever direction the shape lies.
+TEST(Reduce, FindsTheFewestTrianglesOfFlatSolids) {
+  struct Case {
+    Mesh mesh;
+    std::size_t best;
+    double volume;
+  };
+  const std::vector<Case> cases = {{shapes::cube(), 12, 1},
+                                   {l_shape(), 20, 3},
+                                   {box_with_hole(), 32, 8},
+                                   {shapes::face_to_face_cubes(), 12, 2}};
+  for (const Case& c : cases) {
+    const ReducedMesh straight = reduce(built(c.mesh, 1e-5), c.mesh, {.error = 1e-4});
+    EXPECT_EQ(straight.triangles.size(), c.best);
+    EXPECT_TRUE(check::is_two_manifold(straight));
+    const Mesh turned = shapes::rotated(c.mesh, Vec3(1, 1.2, -0.7).normalized(), 1.6);
+    const ReducedMesh result = reduce(built(turned, 1e-5), turned, {.error = 1e-4});
+    EXPECT_EQ(result.triangles.size(), c.best);
+    EXPECT_NEAR(check::check_mesh(result).volume, c.volume, 1e-3);
+  }
+}
+
+// Distances both ways, topology and embeddedness.
+TEST(Reduce, KeepsDistanceTopologyAndStaysEmbedded) {
+  const std::vector<Mesh> inputs = {
+      shapes::torus(), shapes::rotated(shapes::stairs(3), Vec3(0, 0.6, 0.8), 0.5),
+      shapes::glass(0.05), shapes::nested_spheres(), shapes::swiss_cheese(2)};
+  for (const Mesh& input : inputs) {
+    const MeshReport of_input = describe(input);
+    const double error = 0.01 * (of_input.bounds.max - of_input.bounds.min).norm();
+    const Mesh fine = built(input, 0.8 * error);
+    const ReducedMesh few = reduce(fine, input, {.error = error});
+    EXPECT_LT(few.triangles.size(), fine.triangles.size() / 2);
+    EXPECT_TRUE(check::is_two_manifold(few));
+    const MeshReport before = describe(fine);
+    const MeshReport after = describe(few);
+    EXPECT_EQ(after.components, before.components);
+    EXPECT_EQ(after.euler_characteristic, before.euler_characteristic);
+    EXPECT_EQ(find_self_intersections(few).pairs, 0u);
+    EXPECT_LE(check::distance_to(few, input), 1.3 * error);
+    EXPECT_LE(check::distance_to(input, few), 1.3 * error);
+    EXPECT_EQ(before.triangles - after.triangles, 2 * few.report.collapses);
+  }
+}
+
+// A finer mesh than the tolerance asks for must not make more of the result.
+TEST(Reduce, GoesByTheErrorNotByTheMesh) {
+  const Mesh input = shapes::torus(1, 0.4, 64, 32);
+  const std::size_t from_coarse =
+      reduce(built(input, 0.008), input, {.error = 0.01}).triangles.size();
+  const std::size_t from_fine =
+      reduce(built(input, 0.002), input, {.error = 0.01}).triangles.size();
+  EXPECT_LT(static_cast<double>(from_fine), 1.3 * static_cast<double>(from_coarse));
+}
+
+TEST(Reduce, MakesLevelsOutOfOneRun) {
+  const Mesh sphere = shapes::icosphere(3);
+  const ReducedMesh levels = reduce(sphere, sphere, {.target_triangles = {1000, 400, 100}});
+  ASSERT_EQ(levels.levels.size(), 3u);
+  EXPECT_EQ(levels.levels[0].triangles.size(), 1000u);
+  EXPECT_EQ(levels.levels[1].triangles.size(), 400u);
+  EXPECT_EQ(levels.levels[2].triangles.size(), 100u);
+  EXPECT_EQ(levels.triangles, levels.levels[2].triangles);
+  double off = 0;
+  for (const Mesh& level : levels.levels) {
+    EXPECT_TRUE(check::is_two_manifold(level));
+    EXPECT_EQ(find_self_intersections(level).pairs, 0u);
+    const double distance = check::distance_to(level, sphere);
+    EXPECT_GT(distance, off);
+    off = distance;
+  }
+  EXPECT_LT(off, 0.1);
+  const ReducedMesh single = reduce(sphere, sphere, {.target_triangles = {400}});
+  EXPECT_EQ(single.triangles, levels.levels[1].triangles);
+}
+
+TEST(Reduce, StopsAtTheErrorBeforeTheNumber) {
+  const Mesh sphere = shapes::icosphere(3);
+  const ReducedMesh kept = reduce(sphere, sphere, {.error = 0.01, .target_triangles = {4}});
+  EXPECT_GT(kept.triangles.size(), 60u);
+  EXPECT_LE(check::distance_to(sphere, kept), 0.013);
+}
+
+TEST(Reduce, LeavesThinWallsApart) {
+  const Mesh box = shapes::thin_walled_box(1.0 / 200);
+  const ReducedMesh few = reduce(built(box, 0.001), box, {.error = 0.05});
+  EXPECT_EQ(describe(few).components, 2u);
+  EXPECT_EQ(find_self_intersections(few).pairs, 0u);
+}
+
+TEST(Reduce, CarriesSourceFacesOver) {
+  const Mesh input = shapes::rotated(shapes::cube(), Vec3(0.6, 0, 0.8), 0.7);
+  const ReducedMesh few = reduce(built(input, 1e-4), input, {.error = 1e-3});
+  ASSERT_EQ(few.source_faces.size(), few.triangles.size());
+  for (std::size_t t = 0; t < few.triangles.size(); ++t) {
+    const auto normal = [](const Mesh& mesh, std::size_t face) {
+      const Triangle& c = mesh.triangles[face];
+      return (mesh.positions[c[1]] - mesh.positions[c[0]])
+          .cross(mesh.positions[c[2]] - mesh.positions[c[0]])
+          .normalized();
+    };
+    ASSERT_LT(few.source_faces[t], input.triangles.size());
+    EXPECT_GT(normal(few, t).dot(normal(input, few.source_faces[t])), 0.999);
+  }
+}
+
+TEST(Reduce, KeepsWhatClosesHolesAndItsSource) {
+  const Mesh open = shapes::open(shapes::cube(), 2);
+  const ExtractedMesh fine =
+      extract(build_grid(open, {.tolerance = 1e-3}), {.strict = Strict::kEmbedded});
+  const ReducedMesh few = reduce(fine, open, {.error = 2e-3});
+  EXPECT_TRUE(check::is_two_manifold(few));
+  EXPECT_EQ(few.triangles.size(), 12u);
+  EXPECT_NEAR(check::check_mesh(few).volume, 1, 0.01);
+  EXPECT_EQ(std::count(few.source_faces.begin(), few.source_faces.end(), kNone), 2);
+}
+
+TEST(Reduce, CarriesNormalsOver) {
+  const Mesh cube = shapes::cube();
+  const Mesh fine = extract(build_grid(cube, {.tolerance = 1e-4}),
+                            {.strict = Strict::kEmbedded, .normals = true});
+  const ReducedMesh few = reduce(fine, cube, {.error = 1e-3});
+  ASSERT_EQ(few.corner_normals.size(), 3 * few.triangles.size());
+  for (std::size_t t = 0; t < few.triangles.size(); ++t) {
+    const Triangle& c = few.triangles[t];
+    const Vec3 normal = (few.positions[c[1]] - few.positions[c[0]])
+                            .cross(few.positions[c[2]] - few.positions[c[0]])
+                            .normalized();
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto& n = few.corner_normals[3 * t + i];
+      EXPECT_GT(normal.dot(Vec3(n[0], n[1], n[2])), 0.999);
+    }
+  }
+}
+
+TEST(Reduce, LeavesTheRimsOfSheetsAsTheyAre) {
+  const Mesh sheet = shapes::grid_sheet(30, 30, [](double x, double y) { return 0.1 * x * y; });
+  const ReducedMesh few = reduce(sheet, sheet, {.error = 0.01});
+  EXPECT_TRUE(check::is_manifold(few));
+  EXPECT_EQ(describe(few).boundary_edges, describe(sheet).boundary_edges);
+  EXPECT_LT(few.triangles.size(), sheet.triangles.size() / 4);
+  EXPECT_LE(check::distance_to(few, sheet), 0.013);
+}
+
+TEST(Reduce, CutsQuads) {
+  const Mesh input = shapes::torus();
+  const Mesh quads = extract(build_grid(input, {.strategy = SplitStrategy::kUniform, .depth = 12}),
+                             {.quads = true});
+  ASSERT_FALSE(quads.quads.empty());
+  const ReducedMesh few = reduce(quads, input, {.target_triangles = {400}});
+  EXPECT_TRUE(check::is_two_manifold(few));
+  EXPECT_EQ(few.triangles.size(), 400u);
+  EXPECT_EQ(few.source_faces.size(), 400u);
+}
+
+TEST(Reduce, MakesNoCreasesOnSmoothSurfaces) {
+  const Mesh sphere = shapes::icosphere(5);
+  const ReducedMesh few = reduce(built(sphere, 0.004), sphere, {.error = 0.005});
+  for (std::size_t t = 0; t < few.triangles.size(); ++t) {
+    const Triangle& c = few.triangles[t];
+    const Vec3 normal = (few.positions[c[1]] - few.positions[c[0]])
+                            .cross(few.positions[c[2]] - few.positions[c[0]])
+                            .normalized();
+    const Vec3 middle = (few.positions[c[0]] + few.positions[c[1]] + few.positions[c[2]]) / 3;
+    EXPECT_GT(normal.dot(middle.normalized()), 0.9);
+  }
+}
+
+TEST(Reduce, GivesTheSameWhereverAndHoweverLargeTheModelIs) {
+  const Mesh input = shapes::torus();
+  const Mesh fine = built(input, 0.01);
+  const ReducedMesh here = reduce(fine, input, {.error = 0.0125});
+  const ReducedMesh again = reduce(fine, input, {.error = 0.0125});
+  EXPECT_EQ(here.triangles, again.triangles);
+  EXPECT_EQ(here.positions, again.positions);
+  const double scale = std::ldexp(1.0, 40);
+  const ReducedMesh large =
+      reduce(shapes::scaled(fine, Vec3::Constant(scale)),
+             shapes::scaled(input, Vec3::Constant(scale)), {.error = 0.0125 * scale});
+  EXPECT_EQ(large.triangles, here.triangles);
+}
+
+TEST(Reduce, RefusesWhatItCannotTake) {
+  const Mesh cube = shapes::cube();
+  const auto code = [&](const Mesh& mesh, const Mesh& reference, const ReduceOptions& options) {
+    try {
+      reduce(mesh, reference, options);
+    } catch (const Error& error) {
+      return error.code();
+    }
+    return ErrorCode::kInternal;
+  };
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(code(cube, cube, {}), ErrorCode::kInvalidOption);
+  EXPECT_EQ(code(cube, cube, {.error = -1}), ErrorCode::kInvalidOption);
+  EXPECT_EQ(code(cube, cube, {.error = kNan}), ErrorCode::kInvalidOption);
+  EXPECT_EQ(code(cube, cube, {.target_triangles = {10, 10}}), ErrorCode::kInvalidOption);
+  EXPECT_EQ(code(shapes::cubes_at_edge(), cube, {.error = 1}), ErrorCode::kInvalidMesh);
+  Mesh bad = cube;
+  bad.positions[0].x() = kNan;
+  EXPECT_EQ(code(bad, cube, {.error = 1}), ErrorCode::kInvalidMesh);
+  EXPECT_EQ(code(cube, bad, {.error = 1}), ErrorCode::kInvalidMesh);
+  bad = cube;
+  bad.triangles[0][0] = 99;
+  EXPECT_EQ(code(bad, cube, {.error = 1}), ErrorCode::kInvalidMesh);
+  EXPECT_EQ(code(cube, bad, {.error = 1}), ErrorCode::kInvalidMesh);
+}
+
+TEST(Reduce, TakesAnEmptyMesh) {
+  EXPECT_TRUE(reduce({}, {}, {.error = 1}).triangles.empty());
+  EXPECT_TRUE(reduce({}, shapes::cube(), {.target_triangles = {10}}).triangles.empty());
+}
+
+TEST(Reduce, ReportsProgressAndStops) {
+  const Mesh sphere = shapes::icosphere(5);
+  double last = 0;
+  int calls = 0;
+  const Progress watch = [&](double fraction, std::string_view phase) {
+    EXPECT_GE(fraction, last);
+    EXPECT_LE(fraction, 1);
+    EXPECT_EQ(phase, "reduce");
+    last = fraction;
+    ++calls;
+    return true;
+  };
+  reduce(sphere, sphere, {.error = 0.01, .target_triangles = {1000, 10}}, watch);
+  EXPECT_GT(calls, 4);
+  EXPECT_EQ(last, 1);
+  const Progress stop = [](double fraction, std::string_view) { return fraction < 0.3; };
+  try {
+    reduce(sphere, sphere, {.error = 0.01}, stop);
+    ADD_FAILURE() << "not stopped";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kAborted);
+  }
+}
+
+}  // namespace
+}  // namespace kdm
