@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Turns a mesh into a grid: prepares the surface, constructs cells and hits, and links half-edges.
+#include "construct/build_grid.h"
 
 #include <new>
 
 #include "construct/construct.h"
 #include "grid/count_stats.h"
-#include "kdmanifold/build.h"
 #include "kdmanifold/error.h"
 #include "kdmanifold/options.h"
 #include "kdmanifold/thicken.h"
@@ -42,7 +42,12 @@ int depth_limit(const BuildOptions& options) {
 
 }  // namespace
 
-Grid build_grid(const Mesh& mesh, const BuildOptions& options, const Progress& progress) try {
+Grid build_grid(const Mesh& mesh, const BuildOptions& options, const Progress& progress) {
+  return build_grid_within(mesh, options, 1, progress);
+}
+
+Grid build_grid_within(const Mesh& mesh, const BuildOptions& options, double share,
+                       const Progress& progress) try {
   check_options(options);
   report_progress(progress, 0.0, "prepare");
   const Surface surface = options.thicken > 0
@@ -57,7 +62,7 @@ Grid build_grid(const Mesh& mesh, const BuildOptions& options, const Progress& p
   grid->input = surface.report;
   report_progress(progress, 0.1, "build");
   const ConstructedCells made = construct_cells(
-      surface, options, tolerance_of(options, surface.extent) / surface.lattice.step,
+      surface, options, share * tolerance_of(options, surface.extent) / surface.lattice.step,
       depth_limit(options), part_of_progress(progress, 0.1, 0.8), *grid);
   grid->stats.asked_tolerance = tolerance_of(options, surface.extent);
   grid->tolerance =

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Checks options against the table in kdmanifold/options.h.
 #include <initializer_list>
+#include <limits>
 
 #include "kdmanifold/error.h"
 #include "kdmanifold/options.h"
@@ -29,13 +30,27 @@ void check_choice(const char* name, Choice value) {
   refuse(name, static_cast<double>(value), "one of " + joined_words<Choice>(", "));
 }
 
+void check_list(const char* name, Range range, const std::vector<Index>& numbers) {
+  double last = std::numeric_limits<double>::infinity();
+  for (const Index number : numbers) {
+    if (contains(range, number) && number < last) {
+      last = number;
+      continue;
+    }
+    refuse(name, number,
+           compose("a whole number {}, smaller than the one before", range_text(range)));
+  }
+}
+
 template <typename Options>
 void check_fields(const Options& options) {
   for_each_field(options, [](const OptionField& field, const auto& value) {
     using Value = std::decay_t<decltype(value)>;
     if constexpr (std::is_enum_v<Value>) {
       check_choice(field.name, value);
-    } else if constexpr (!std::is_same_v<Value, bool>) {
+    } else if constexpr (std::is_same_v<Value, std::vector<Index>>) {
+      check_list(field.name, field.range, value);
+    } else if constexpr (std::is_arithmetic_v<Value> && !std::is_same_v<Value, bool>) {
       check_number(field.name, field.range, field.unset, value,
                    std::is_integral_v<Value> ? "whole number" : "number");
     }
@@ -108,6 +123,15 @@ void check_options(const ExtractOptions& options) {
     if (name == "link_error") return options.link_error != standard.link_error;
     return options.crease_angle != standard.crease_angle;
   });
+}
+
+void check_options(const ReductionOptions& options) { check_fields(options); }
+
+void check_options(const ReduceOptions& options) {
+  check_fields(options);
+  if (options.error > 0 || !options.target_triangles.empty()) return;
+  throw Error(ErrorCode::kInvalidOption,
+              "error is 0; it must be above 0, or target_triangles given");
 }
 
 }  // namespace kdm

@@ -191,6 +191,8 @@ ReducedMesh reduce(const Mesh& mesh, const Mesh& reference, const ReduceOptions&
   static_cast<Mesh&>(out) = level();
   if (!out.levels.empty()) out.levels.back() = out;
   out.report.collapses = collapser.collapses();
+  out.report.triangles_before = static_cast<Index>(from.triangles.size());
+  out.report.triangles = static_cast<Index>(out.triangles.size());
   report_progress(progress, 1, "reduce");
   return out;
 } catch (const std::bad_alloc&) {

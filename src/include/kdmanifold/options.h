@@ -13,12 +13,15 @@
 #include <string_view>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "kdmanifold/analyze.h"
 #include "kdmanifold/build.h"
 #include "kdmanifold/extract.h"
 #include "kdmanifold/field.h"
+#include "kdmanifold/make_manifold.h"
 #include "kdmanifold/mesh_io.h"
+#include "kdmanifold/reduce.h"
 
 namespace kdm {
 
@@ -268,6 +271,49 @@ void for_each_field(Options& options, Visit&& visit) {
         options.crease_angle);
 }
 
+/// The numbers of triangles that both kinds of reduction take.
+constexpr OptionField target_triangles_field(const char* help, const char* details) {
+  return {.name = "target_triangles",
+          .letter = "N[,N...]",
+          .help = help,
+          .details = details,
+          .range = {.least = 1},
+          .unset = "as few as the distance allows"};
+}
+
+/// See `for_each_field` of `BuildOptions`.
+template <Either<ReductionOptions> Options, typename Visit>
+void for_each_field(Options& options, Visit&& visit) {
+  visit(OptionField{.name = "reduce",
+                    .help = "collapse edges as long as the result stays within the tolerance",
+                    .details = "The grid is then built at half of the tolerance, and the result is "
+                               "embedded whatever `strict` says. Left out where `quads`, `strict` "
+                               "off, a `strategy` without tolerance or a tolerance of 0 excludes "
+                               "it; asked for beside one of these, it is refused."},
+        options.reduce);
+  visit(target_triangles_field(
+            "how many triangles are to be left; several numbers, each smaller than the one before, "
+            "make several levels: for -o name.obj the files name.1.obj, name.2.obj and so on",
+            "The tolerance counts too, so that there may be more."),
+        options.target_triangles);
+}
+
+/// See `for_each_field` of `BuildOptions`. Command lines do not have these.
+template <Either<ReduceOptions> Options, typename Visit>
+void for_each_field(Options& options, Visit&& visit) {
+  visit(OptionField{.name = "error",
+                    .letter = "E",
+                    .help = "how far result and mesh may be apart",
+                    .zero = "without limit, `target_triangles` decides",
+                    .unit = Unit::kModelUnits},
+        options.error);
+  visit(target_triangles_field(
+            "how many triangles are to be left; several numbers, each smaller than the one before, "
+            "make several levels",
+            "The error counts too, so that there may be more."),
+        options.target_triangles);
+}
+
 /// See `for_each_field` of `BuildOptions`. Command lines, whose --stats looks for everything, do
 /// not have these.
 template <Either<AnalyzeOptions> Options, typename Visit>
@@ -285,6 +331,10 @@ void for_each_field(Options& options, Visit&& visit) {
 void check_options(const BuildOptions& options);
 /// See above.
 void check_options(const ExtractOptions& options);
+/// See above.
+void check_options(const ReductionOptions& options);
+/// See above. One of the two must be given.
+void check_options(const ReduceOptions& options);
 
 /// Says whether an option was given, by its name.
 using IsGiven = std::function<bool(std::string_view)>;

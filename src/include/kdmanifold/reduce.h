@@ -22,8 +22,10 @@ struct ReduceOptions {
 
 /// What was done.
 struct ReduceReport {
-  Index collapses = 0;  ///< edges that were collapsed
-  Index flips = 0;      ///< edges that were flipped, at creases that the reference does not have
+  Index triangles_before = 0;  ///< of the mesh that was given, quads counting as two
+  Index triangles = 0;         ///< that are left, of the last level
+  Index collapses = 0;         ///< edges that were collapsed
+  Index flips = 0;  ///< edges that were flipped, at creases that the reference does not have
 };
 
 /// A reduced mesh. If several numbers of triangles were asked for it is the last level.

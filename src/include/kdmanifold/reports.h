@@ -10,6 +10,7 @@
 #include "kdmanifold/field.h"
 #include "kdmanifold/grid.h"
 #include "kdmanifold/mesh.h"
+#include "kdmanifold/reduce.h"
 
 namespace kdm {
 
@@ -106,9 +107,10 @@ void for_each_field(const GridStats& stats, Visit&& visit) {
                     Unit::kModelUnits},
         stats.asked_tolerance);
   visit(ReportField{"tolerance",
-                    "The tolerance that was asked for, or a wider one where a surface to be "
-                    "repaired would have taken beyond all measure. For strategies without a "
-                    "tolerance: the one that extraction goes by",
+                    "How far the result may be from the input: the tolerance that was asked for, "
+                    "or a wider one where a surface to be repaired would have taken beyond all "
+                    "measure. For strategies without a tolerance: the one that extraction goes "
+                    "by. Of a grid by itself that was built for a reduced result: half of it",
                     Unit::kModelUnits},
         stats.tolerance);
   visit(ReportField{"winding_threshold",
@@ -206,6 +208,18 @@ void for_each_field(const MeshError& error, Visit&& visit) {
                     "How far the input's points are from the result, without what lies within the "
                     "solid, more than a tolerance deep"},
         error.to_output);
+}
+
+/// See `for_each_field` of `InputReport`.
+template <typename Visit>
+void for_each_field(const ReduceReport& report, Visit&& visit) {
+  visit(ReportField{"triangles_before", "Triangles of the mesh that was reduced"},
+        report.triangles_before);
+  visit(ReportField{"triangles", "Triangles that are left, of the last level"}, report.triangles);
+  visit(ReportField{"collapses", "Edges that were collapsed"}, report.collapses);
+  visit(
+      ReportField{"flips", "Edges that were flipped, at creases that the reference does not have"},
+      report.flips);
 }
 
 /// See `for_each_field` of `InputReport`.

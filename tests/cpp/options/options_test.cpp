@@ -45,6 +45,8 @@ void expect_all_members_listed() {
 TEST(Options, EveryMemberIsListed) {
   expect_all_members_listed<BuildOptions>();
   expect_all_members_listed<ExtractOptions>();
+  expect_all_members_listed<ReductionOptions>();
+  expect_all_members_listed<ReduceOptions>();
   expect_all_members_listed<AnalyzeOptions>();
 }
 
@@ -52,6 +54,7 @@ TEST(Reports, EveryMemberIsListed) {
   expect_all_members_listed<InputReport>();
   expect_all_members_listed<GridStats>();
   expect_all_members_listed<ExtractReport>();
+  expect_all_members_listed<ReduceReport>();
   expect_all_members_listed<MeshReport>();
   expect_all_members_listed<SelfIntersections>();
   expect_all_members_listed<MeshDefects>();
@@ -75,6 +78,7 @@ TEST(Options, NamesAndRangesAreWrittenAsUsersReadThem) {
 TEST(Options, DefaultsAreLegal) {
   EXPECT_NO_THROW(check_options(BuildOptions{}));
   EXPECT_NO_THROW(check_options(ExtractOptions{}));
+  EXPECT_NO_THROW(check_options(ReductionOptions{}));
 }
 
 template <typename Options>
@@ -90,8 +94,7 @@ std::string complaint(const Options& options) {
 
 // Sets one field after the other to values that are legal and to others that are not.
 template <typename Options>
-void expect_ranges_checked() {
-  Options options;
+void expect_ranges_checked(Options options = {}) {
   if constexpr (std::is_same_v<Options, ExtractOptions>) options.normals = true;  // for the angle
   for_each_field(options, [&](const OptionField& field, auto& member) {
     using Value = std::decay_t<decltype(member)>;
@@ -103,7 +106,16 @@ void expect_ranges_checked() {
       }
       member = static_cast<Value>(99);
       EXPECT_EQ(complaint(options).rfind(std::string(field.name) + " is 99", 0), 0u);
-    } else if constexpr (!std::is_same_v<Value, bool>) {
+    } else if constexpr (std::is_same_v<Value, std::vector<Index>>) {
+      for (const Value& legal : {Value{}, Value{1}, Value{5, 4, 1}}) {
+        member = legal;
+        EXPECT_EQ(complaint(options), "") << field.name;
+      }
+      for (const Value& wrong : {Value{0}, Value{5, 5}, Value{4, 5}}) {
+        member = wrong;
+        EXPECT_EQ(complaint(options).rfind(std::string(field.name) + " is ", 0), 0u);
+      }
+    } else if constexpr (std::is_arithmetic_v<Value> && !std::is_same_v<Value, bool>) {
       member = static_cast<Value>(field.range.least);
       EXPECT_EQ(complaint(options), "") << field.name;
       std::vector<double> wrong = {-1};
@@ -129,6 +141,7 @@ void expect_ranges_checked() {
 TEST(Options, RangesAreChecked) {
   expect_ranges_checked<BuildOptions>();
   expect_ranges_checked<ExtractOptions>();
+  expect_ranges_checked<ReductionOptions>();
 }
 
 TEST(Options, MessagesSayWhatIsLegal) {
@@ -137,6 +150,11 @@ TEST(Options, MessagesSayWhatIsLegal) {
             "for uniform, 64 cells an axis");
   EXPECT_EQ(complaint(BuildOptions{.winding_threshold = 1}),
             "winding_threshold is 1; it must be a number from 0 to below 1");
+  EXPECT_EQ(complaint(ReductionOptions{.target_triangles = {7, 9}}),
+            "target_triangles is 9; it must be a whole number from 1 on, smaller than the one "
+            "before");
+  EXPECT_EQ(complaint(ReduceOptions{}),
+            "error is 0; it must be above 0, or target_triangles given");
   EXPECT_EQ(complaint(ExtractOptions{.link_error = -0.5}),
             "link_error is -0.5; it must be a number from 0 on");
 }

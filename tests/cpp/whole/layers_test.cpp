@@ -40,6 +40,8 @@ const std::vector<std::string> kRooms = {"include/kdmanifold",
                                          "extract/mend",
                                          "extract/embed",
                                          "extract",
+                                         "reduce",
+                                         "make",
                                          "account"};
 
 // What stands outside of the library sees its public headers only.
