@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,7 @@ struct Command {
   ReportOptions report;
   BuildOptions build;
   ExtractOptions extract;
+  ReductionOptions reduction;
   std::map<std::string, std::string> typed;  ///< options that are given: how, by their flags
   std::string answer;  ///< not empty: print this instead of working (--help, --version)
 };
@@ -101,6 +103,7 @@ template <typename Value>
 std::string flag_of(const OptionField& field, const Value& standard) {
   bool on = false;
   if constexpr (std::is_same_v<Value, bool>) on = standard;
+  if constexpr (std::is_same_v<Value, std::optional<bool>>) on = true;
   return (on ? "--no-" : "--") + kebab_case(field.name);
 }
 

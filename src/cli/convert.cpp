@@ -52,6 +52,16 @@ struct Formats {
   FileFormat output = FileFormat::kByName;  // only if there is one
 };
 
+// The files of the result: one, or one for each of several levels. Empty if none is written.
+std::vector<std::string> paths_of(const Command& command, const Task& task) {
+  const std::size_t levels = command.reduction.target_triangles.size();
+  if (task.output.empty()) return {};
+  if (levels < 2) return {task.output};
+  std::vector<std::string> paths;
+  for (std::size_t i = 1; i <= levels; ++i) paths.push_back(level_path(task.output, i));
+  return paths;
+}
+
 // Refuses before the work what can be refused then.
 Formats check_files(const Command& command, const Task& task) {
   const FileOptions& files = command.files;
@@ -64,7 +74,7 @@ Formats check_files(const Command& command, const Task& task) {
       throw Error(ErrorCode::kInvalidOption,
                   "`normals`: of the files only .obj and .glb have them");
     }
-    check_target(task.output, files.force);
+    for (const std::string& path : paths_of(command, task)) check_target(path, files.force);
     // The folder of --out-dir was checked, and may not be there yet.
     if (files.out_dir.empty()) check_folder_of(task.output);
   }
@@ -76,28 +86,55 @@ Formats check_files(const Command& command, const Task& task) {
 }
 
 void write_results(const Command& command, const Task& task, const Formats& formats,
-                   const Mesh& mesh, const Grid& grid) {
+                   const MadeMesh& made, const Grid& grid, RunReport& report) {
   const FileOptions& files = command.files;
-  if (!task.output.empty()) {
-    const bool exact = command.extract.strict == Strict::kEmbedded;
+  const std::vector<std::string> paths = paths_of(command, task);
+  const bool embedded = made.report.crossings.has_value();
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    const Mesh& mesh = paths.size() > 1 ? made.levels[i] : made;
     const std::string bytes =
-        format_file(mesh, formats.output, exact ? Digits::kExact : Digits::kShortest);
+        format_file(mesh, formats.output, embedded ? Digits::kExact : Digits::kShortest);
     if (!files.out_dir.empty()) make_folder(files.out_dir);
-    write_all(task.output, bytes);
+    write_all(paths[i], bytes);
+  }
+  for (std::size_t i = 0; i < made.levels.size(); ++i) {
+    report.levels.push_back(
+        {static_cast<Index>(made.levels[i].triangles.size()), paths.empty() ? "" : paths[i]});
   }
   if (!files.save_grid.empty()) write_grid_file(files.save_grid, grid);
+}
+
+// Takes the time of the step before, and shows how far this one is.
+Progress begin(MakeStep step, ProgressLine& progress, Stopwatch& watch, Seconds& seconds) {
+  switch (step) {
+    case MakeStep::kBuild:
+      return progress.of("building");
+    case MakeStep::kExtract:
+      seconds.build = watch.lap();
+      return progress.of("extracting");
+    case MakeStep::kReduce:
+      break;
+  }
+  seconds.extract = watch.lap();
+  return progress.of("reducing");
 }
 
 // The steps, which fill in the report.
 void work(const Command& command, const Task& task, ProgressLine& progress, RunReport& report) {
   const Formats formats = check_files(command, task);
   Stopwatch watch;
-  Grid grid;
+  const StepProgress steps = [&](MakeStep step) {
+    return begin(step, progress, watch, report.seconds);
+  };
+  MadeManifold made;
   Mesh input;
   progress.show("reading");
   if (task.is_grid) {
-    grid = read_grid_file(task.input);
+    made.grid = read_grid_file(task.input);
     report.seconds.read = watch.lap();
+    static_cast<MadeMesh&>(made) =
+        make_from_grid(made.grid, command.extract, command.reduction, steps);
+    report.seconds.build = 0;
   } else {
     ReadMesh read = read_mesh_file(task.input, formats.input);
     report.warnings = std::move(read.warnings);
@@ -108,32 +145,33 @@ void work(const Command& command, const Task& task, ProgressLine& progress, RunR
     }
     report.seconds.analyze = watch.lap();
     if (!converts(command)) return;
-    grid = build_grid(read.mesh, command.build, progress.of("building"));
+    made = make_manifold_in_steps(read.mesh, {command.build, command.extract, command.reduction},
+                                  steps);
     input = std::move(read.mesh);
-    report.seconds.build = watch.lap();
   }
-  ExtractedMesh result = extract(grid, command.extract, progress.of("extracting"));
-  round_to_single(result);
-  report.seconds.extract = watch.lap();
+  (made.reduced ? report.seconds.reduce : report.seconds.extract) = watch.lap();
+  round_to_single(made);
+  for (Mesh& level : made.levels) round_to_single(level);
   progress.show("writing");
-  write_results(command, task, formats, result, grid);
+  write_results(command, task, formats, made, made.grid, report);
   report.seconds.write = watch.lap();
   progress.show("checking");
-  report.input = grid.input();
-  report.grid = grid.stats();
-  report.output = describe(result);
-  report.extracted = result.report;
+  report.input = made.grid.input();
+  report.grid = made.stats;
+  report.output = describe(made);
+  report.extracted = made.report;
+  report.reduced = made.reduced;
   const auto warn = [&](const std::vector<Warning>& of) {
     report.warnings.insert(report.warnings.end(), of.begin(), of.end());
   };
   if (!task.is_grid) {
-    const Account account = compare(input, grid, result, {.error = command.report.check});
+    const Account account = compare(input, made.grid, made, {.error = command.report.check});
     report.lost = account.lost;
     report.error = account.error;
     warn(account.warnings);
   }
-  warn(result.warnings);
-  if (command.report.check) report.self_intersections = find_self_intersections(result).pairs;
+  warn(made.warnings);
+  if (command.report.check) report.self_intersections = find_self_intersections(made).pairs;
 }
 
 // Errors of files name these already, others are about the input. Options are called as they were

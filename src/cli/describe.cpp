@@ -35,6 +35,13 @@ void add_type(Json& json, bool standard) {
   json["default"] = standard;
 }
 
+void add_type(Json& json, const std::optional<bool>&) {
+  json["type"] = "boolean";
+  json["default"] = true;
+}
+
+void add_type(Json& json, const std::vector<Index>&) { json["type"] = "numbers"; }
+
 template <typename Choice>
 requires std::is_enum_v<Choice>
 void add_type(Json& json, Choice standard) {
@@ -62,7 +69,8 @@ Json option_json(const OptionField& field, const Value& standard) {
   Json json = {{"name", camel_case(field.name)}, {"flag", flag_of(field, standard)}};
   add_text(json, "shortName", field.short_name);
   add_type(json, standard);
-  if constexpr (std::is_arithmetic_v<Value> && !std::is_same_v<Value, bool>) {
+  if constexpr ((std::is_arithmetic_v<Value> && !std::is_same_v<Value, bool>) ||
+                std::is_same_v<Value, std::vector<Index>>) {
     add_range(json, field.range);
   }
   add_text(json, "unset", field.unset);
@@ -140,15 +148,16 @@ Json output_report(const Json& account, const Json& counts) {
 
 std::string description() {
   Json json;
-  json["options"] = {{"build", options_json<BuildOptions>()},
-                     {"extract", options_json<ExtractOptions>()},
-                     {"analyze", options_json<AnalyzeOptions>()},
-                     {"files", options_json<FileOptions>()},
-                     {"report", options_json<ReportOptions>()}};
+  json["options"] = {
+      {"build", options_json<BuildOptions>()},         {"extract", options_json<ExtractOptions>()},
+      {"reduction", options_json<ReductionOptions>()}, {"reduce", options_json<ReduceOptions>()},
+      {"analyze", options_json<AnalyzeOptions>()},     {"files", options_json<FileOptions>()},
+      {"report", options_json<ReportOptions>()}};
   Json& reports = json["reports"];
   reports["InputReport"] = report_json<InputReport>("What the grid was built from");
   reports["GridStats"] = report_json<GridStats>("The size of a grid");
   reports["ExtractReport"] = report_json<ExtractReport>("How a mesh was made of a grid");
+  reports["ReduceReport"] = report_json<ReduceReport>("How a mesh was reduced");
   reports["LostArea"] = report_json<LostArea>("What of the input the result does not come near");
   reports["Deviation"] = report_json<Deviation>("How far points of one surface are from another");
   reports["MeshError"] = report_json<MeshError>("How far a result and its input are apart");

@@ -55,6 +55,10 @@ Line line_of(const OptionField& field, const Value& standard) {
   if (field.short_name[0] != '\0') option = fmt::format("-{}, {}", field.short_name, option);
   if constexpr (std::is_same_v<Value, bool>) {
     return {option, (standard ? "do not " : "") + std::string(field.help)};
+  } else if constexpr (std::is_same_v<Value, std::optional<bool>>) {
+    return {option, "do not " + std::string(field.help)};
+  } else if constexpr (std::is_same_v<Value, std::vector<Index>>) {
+    return {option + ' ' + field.letter, fmt::format("{} (default {})", field.help, field.unset)};
   } else if constexpr (std::is_enum_v<Value>) {
     const bool unset = field.unset[0] != '\0';
     Line line{option + ' ' + joined_words<Value>("|"),
@@ -141,6 +145,9 @@ std::string help_text() {
   add_lines<ExtractOptions>(lines);
   lines.push_back({"--no-strict", "keep double edges and parts without volume, as --strict off"});
   add_group("How a grid becomes a mesh", lines);
+  lines.clear();
+  add_lines<ReductionOptions>(lines);
+  add_group("How a mesh gets fewer triangles", lines);
   return text +
          "\n"
          "Exit status: 0 done, 1 --check found an output not 2-manifold (of a sheet: not a\n"

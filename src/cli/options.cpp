@@ -35,6 +35,27 @@ std::vector<std::string> word_list() {
   return list;
 }
 
+// Reads whole numbers of which each is smaller than the one before. Greater ones than indices count
+// as the greatest. Returns what is wrong, or "".
+std::string read_list(const OptionField& field, const std::string& text,
+                      std::vector<Index>& target) {
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t end = std::min(text.find(',', at), text.size());
+    const std::string part = text.substr(at, end - at);
+    const double number = is_whole(part) ? to_number(part) : std::nan("");
+    if (!contains(field.range, number)) {
+      return fmt::format("'{}' is no whole number {}", part, range_text(field.range));
+    }
+    const auto index = static_cast<Index>(std::min<double>(number, kNone));
+    if (!target.empty() && index >= target.back()) {
+      return fmt::format("'{}' must be smaller than the number before", part);
+    }
+    target.push_back(index);
+    at = end + 1;
+  }
+  return "";
+}
+
 // Takes the value over. Returns what is wrong with it, or "".
 template <typename Value>
 std::string read_value(const OptionField& field, const std::string& text, Value& target) {
@@ -48,6 +69,8 @@ std::string read_value(const OptionField& field, const std::string& text, Value&
                          did_you_mean(text, word_list<Value>()));
     }
     target = *value;
+  } else if constexpr (std::is_same_v<Value, std::vector<Index>>) {
+    return read_list(field, text, target);
   } else {
     constexpr bool kWhole = std::is_integral_v<Value>;
     const double number = kWhole && !is_whole(text) ? std::nan("") : to_number(text);
@@ -76,6 +99,8 @@ void add_entries(std::vector<Entry>& entries, Options& options) {
     if (field.short_name[0] != '\0') entry.short_flag = std::string("-") + field.short_name;
     if constexpr (std::is_same_v<Value, bool>) {
       entry.set = [&target, standard = target] { target = !standard; };
+    } else if constexpr (std::is_same_v<Value, std::optional<bool>>) {
+      entry.set = [&target] { target = false; };
     } else {
       entry.read = [field, &target](const std::string& text) {
         return read_value(field, text, target);
@@ -124,6 +149,7 @@ class Scanner {
     add_entries(entries_, command.report);
     add_entries(entries_, command.build);
     add_entries(entries_, command.extract);
+    add_entries(entries_, command.reduction);
     entries_.push_back(
         {"--no-strict", "", [&command] { command.extract.strict = Strict::kOff; }, {}});
   }
@@ -197,7 +223,7 @@ std::string answer_to(const std::vector<std::string>& arguments) {
   return "";
 }
 
-// Refuses options of building and extracting that have no effect.
+// Refuses options of building, extracting and reducing that have no effect or exclude each other.
 void check_effects(const Command& command) {
   const auto given = [&](std::string_view name) {
     return command.typed.contains("--" + kebab_case(name));
@@ -205,6 +231,7 @@ void check_effects(const Command& command) {
   try {
     check_combination(command.build, given);
     check_combination(command.extract, given);
+    reduces({command.build, command.extract, command.reduction});
   } catch (const Error& error) {
     throw UsageError(with_typed_names(command, error.what()));
   }
@@ -235,7 +262,14 @@ void check_combination(const Command& command) {
   if (files.format != FileFormat::kByName && files.output.empty() && files.out_dir.empty()) {
     refuse("--format", "only with -o or --out-dir");
   }
+  const std::vector<Index>& levels = command.reduction.target_triangles;
+  if (!levels.empty() && command.reduction.reduce.has_value()) {
+    refuse("--target-triangles", "not together with " + as_typed(command, "--no-reduce"));
+  }
   check_effects(command);
+  if (levels.size() > 1 && files.output == kStandardStream) {
+    refuse("--target-triangles", "standard output takes one level, not several");
+  }
   if (command.report.quiet && command.report.json) {
     refuse("--quiet", "not together with --json, which prints a report");
   }

@@ -107,6 +107,13 @@ void check_out_dir(const Command& command) {
 
 }  // namespace
 
+std::string level_path(const std::string& output, std::size_t level) {
+  const std::size_t name = output.size() - file_name(output).size();
+  const std::size_t dot = output.rfind('.');
+  const std::size_t end = dot == output.npos || dot <= name ? output.size() : dot;
+  return fmt::format("{}.{}{}", output.substr(0, end), level, output.substr(end));
+}
+
 std::vector<Task> plan(const Command& command) {
   const FileOptions& files = command.files;
   const std::vector<std::string> inputs = expand_all(command.inputs);

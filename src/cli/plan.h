@@ -16,6 +16,9 @@ struct Task {
   bool is_grid = false;  ///< a saved grid is to be loaded
 };
 
+/// Returns the path of a level of the result, from 1 on: `name.1.obj` for `name.obj`.
+std::string level_path(const std::string& output, std::size_t level);
+
 /// Expands patterns, leaves out what is given twice and names the results. Throws `UsageError` if a
 /// pattern fits no file, if the options do not go together with so many inputs or with grids, or if
 /// two results would have one name; and `Error` if --out-dir can hold no files.

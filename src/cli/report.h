@@ -14,7 +14,13 @@ namespace kdm::cli {
 
 /// Wall-clock seconds of the steps.
 struct Seconds {
-  double read = 0, analyze = 0, build = 0, extract = 0, write = 0;
+  double read = 0, analyze = 0, build = 0, extract = 0, reduce = 0, write = 0;
+};
+
+/// One level of detail of the result.
+struct Level {
+  Index triangles = 0;
+  std::string file;  ///< empty: none was written
 };
 
 /// What is known at the end of a run.
@@ -24,6 +30,8 @@ struct RunReport {
   GridStats grid;
   MeshReport output;
   ExtractReport extracted;
+  std::optional<ReduceReport> reduced;   ///< empty: nothing was reduced
+  std::vector<Level> levels;             ///< one for each of --target-triangles
   std::vector<Warning> warnings;         ///< of the file, then of the result
   std::optional<LostArea> lost;          ///< unless the input is a grid
   std::optional<MeshError> error;        ///< with --check, unless the input is a grid

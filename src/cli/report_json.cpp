@@ -23,6 +23,15 @@ Json input_json(const MeshDefects& input) {
           {"components", input.parts.size()}};
 }
 
+Json levels_json(const std::vector<Level>& levels) {
+  Json json = Json::array();
+  for (const Level& level : levels) {
+    json.push_back(
+        {{"triangles", level.triangles}, {"file", level.file.empty() ? Json() : Json(level.file)}});
+  }
+  return json;
+}
+
 Json warnings_json(const std::vector<Warning>& warnings) {
   Json json = Json::array();
   for (const Warning& warning : warnings) {
@@ -37,6 +46,7 @@ Json seconds_json(const RunReport& report, const Command& command) {
   if (converts(command)) {
     json["build"] = report.seconds.build;
     json["extract"] = report.seconds.extract;
+    if (report.reduced) json["reduce"] = report.seconds.reduce;
   }
   if (writes(command.files)) json["write"] = report.seconds.write;
   return json;
@@ -87,6 +97,8 @@ Json report_as_json(const RunReport& report, const Command& command) {
   if (converts(command)) {
     json["grid"] = all_fields(report.grid);
     json["output"] = output_json(report.output, report.extracted);
+    if (report.reduced) json["reduce"] = all_fields(*report.reduced);
+    if (!report.levels.empty()) json["levels"] = levels_json(report.levels);
     if (report.lost) json["lost"] = all_fields(*report.lost);
     if (report.error) json["error"] = all_fields(*report.error);
   }

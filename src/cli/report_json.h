@@ -10,8 +10,9 @@
 namespace kdm::cli {
 
 /// Returns `input`, with --stats `defects`, then `grid`, `output` (with --check also its
-/// `selfIntersections`), with --check `check`, then `seconds` and `peakBytes`. With --stats alone
-/// there is neither `grid` nor `output`.
+/// `selfIntersections`), if anything was reduced `reduce`, with --target-triangles `levels`, with
+/// --check `check`, then `seconds` and `peakBytes`. With --stats alone there is neither `grid` nor
+/// what follows it but the last two.
 Json report_as_json(const RunReport& report, const Command& command);
 
 /// Returns what `output` holds: the counts of the result, and the account of how it was made.

@@ -66,6 +66,7 @@ std::string seconds_text(const RunReport& report, const Command& command) {
   if (converts(command)) {
     text +=
         fmt::format(", build {:.3f}, extract {:.3f}", report.seconds.build, report.seconds.extract);
+    if (report.reduced) text += fmt::format(", reduce {:.3f}", report.seconds.reduce);
   }
   if (writes(command.files)) text += fmt::format(", write {:.3f}", report.seconds.write);
   return text + '\n';
@@ -134,6 +135,19 @@ std::string account_text(const RunReport& report) {
   return text;
 }
 
+std::string reduction_text(const RunReport& report) {
+  std::string text;
+  if (report.reduced) {
+    text += fmt::format("reduced  from {} triangles to {}\n", report.reduced->triangles_before,
+                        report.reduced->triangles);
+  }
+  for (const Level& level : report.levels) {
+    text += fmt::format("level    {}{}{} triangles\n", level.file, level.file.empty() ? "" : ": ",
+                        level.triangles);
+  }
+  return text;
+}
+
 std::string result_text(const RunReport& report, const Command& command, const Task& task) {
   const GridStats& grid = report.grid;
   const MeshReport& output = report.output;
@@ -141,11 +155,13 @@ std::string result_text(const RunReport& report, const Command& command, const T
       fmt::format("grid     {}, depth {}: {} cells, {} hits, {:.1f} MB{}\n",
                   task.is_grid ? "loaded" : word_of(command.build.strategy), grid.depth, grid.cells,
                   grid.hits, static_cast<double>(grid.bytes) / 1e6, topology_text(grid));
-  const std::string output_text = task.output == kStandardStream ? "standard output" : task.output;
+  std::string output_text = task.output == kStandardStream ? "standard output" : task.output;
+  if (report.levels.size() > 1) output_text = report.levels.back().file;
   text += fmt::format("output   {}{}{} vertices, {}, {} parts, Euler characteristic {}, {}\n",
                       output_text, output_text.empty() ? "" : ": ", output.vertices,
                       faces_text(output.triangles, output.quads), output.components,
                       output.euler_characteristic, kind_text(output, report.extracted, grid.sheet));
+  text += reduction_text(report);
   text += repair_text(report);
   text += account_text(report);
   if (command.report.check) text += check_text(output, report.self_intersections, grid.sheet);

@@ -130,6 +130,7 @@ TEST_F(Cli, HelpListsTheOptions) {
                                               "--json",
                                               "--largest-hole",
                                               "--link-error",
+                                              "--no-reduce",
                                               "--no-strict",
                                               "--no-unfold",
                                               "--normals",
@@ -146,6 +147,7 @@ TEST_F(Cli, HelpListsTheOptions) {
                                               "--stats",
                                               "--strategy",
                                               "--strict",
+                                              "--target-triangles",
                                               "--thicken",
                                               "--tolerance",
                                               "--version",
@@ -258,6 +260,75 @@ TEST_F(Cli, ReportHasTheDocumentedKeys) {
   EXPECT_EQ(json["check"]["twoManifold"], true);
 }
 
+TEST_F(Cli, ReducesUnlessToldNotTo) {
+  write("torus.ply", shapes::torus());
+  const Json few = report("torus.ply -o few.obj --tolerance 0.02 --check");
+  const Json all = report("torus.ply -o all.obj --tolerance 0.02 --no-reduce");
+  EXPECT_EQ(keys(few["reduce"]), (Names{"trianglesBefore", "triangles", "collapses", "flips"}));
+  EXPECT_EQ(few["reduce"]["triangles"], few["output"]["triangles"]);
+  EXPECT_LT(2 * few["output"]["triangles"].get<int>(), all["output"]["triangles"].get<int>());
+  EXPECT_EQ(few["output"]["selfIntersections"], 0);
+  EXPECT_EQ(keys(few["seconds"]), (Names{"read", "build", "extract", "reduce", "write"}));
+  EXPECT_EQ(mesh("few.obj").triangles.size(), few["output"]["triangles"]);
+  EXPECT_FALSE(all.contains("reduce"));
+  EXPECT_EQ(keys(all["seconds"]), (Names{"read", "build", "extract", "write"}));
+  for (const Json& json : {few, all}) {
+    EXPECT_EQ(json["grid"]["askedTolerance"], 0.02);
+    EXPECT_NEAR(json["grid"]["tolerance"].get<double>(), 0.02, 1e-9);
+    EXPECT_FALSE(json.contains("levels"));
+  }
+  const Outcome text = run("torus.ply --tolerance 0.02");
+  EXPECT_NE(text.out.find("reduced  from "), std::string::npos) << text.out;
+
+  // A saved grid gives as few.
+  run("torus.ply --save-grid t.kdgrid --tolerance 0.02");
+  const Json loaded = report("t.kdgrid");
+  EXPECT_EQ(loaded["reduce"]["trianglesBefore"], few["reduce"]["trianglesBefore"]);
+  EXPECT_EQ(loaded["grid"]["askedTolerance"], 0.02);
+  EXPECT_NEAR(loaded["grid"]["tolerance"].get<double>(), 0.02, 1e-9);
+  EXPECT_FALSE(report("t.kdgrid --no-reduce").contains("reduce"));
+}
+
+TEST_F(Cli, WritesAFileForEachLevel) {
+  write("torus.ply", shapes::torus());
+  const std::string levels = "torus.ply --tolerance 0.2 --target-triangles 400,200";
+  const Json json = report(levels + " -o few.obj");
+  EXPECT_EQ(files(), (std::set<std::string>{"cube.obj", "few.1.obj", "few.2.obj", "torus.ply"}));
+  ASSERT_EQ(json["levels"].size(), 2u);
+  for (int i : {0, 1}) {
+    const Json& level = json["levels"][i];
+    EXPECT_EQ(keys(level), (Names{"triangles", "file"}));
+    const std::string file = "few." + std::to_string(i + 1) + ".obj";
+    EXPECT_EQ(level["file"], file);
+    EXPECT_EQ(level["triangles"], mesh(file.c_str()).triangles.size());
+    EXPECT_LE(level["triangles"], i == 0 ? 400 : 200);
+  }
+  EXPECT_EQ(json["output"]["triangles"], json["levels"][1]["triangles"]);
+  EXPECT_NE(complaint(levels + " -o few.obj").find("few.1.obj"), std::string::npos);
+  EXPECT_EQ(run(levels + " -o few.obj --force").status, 0);
+  const Json unwritten = report(levels);
+  EXPECT_TRUE(unwritten["levels"][1]["file"].is_null());
+  const Json one = report("torus.ply -o one.obj --tolerance 0.2 --target-triangles 200");
+  EXPECT_EQ(one["levels"][0]["file"], "one.obj");
+  EXPECT_EQ(run(levels + " --out-dir ./ --format stl").status, 0);
+  EXPECT_TRUE(fs::exists(folder_ / "torus.2.stl"));
+
+  EXPECT_EQ(complaint(levels + " -o - --format obj"),
+            "--target-triangles: standard output takes one level, not several");
+  EXPECT_EQ(complaint("cube.obj --target-triangles 100,100"),
+            "--target-triangles: '100' must be smaller than the number before");
+  EXPECT_EQ(complaint("cube.obj --targetTriangles 9,x"),
+            "--targetTriangles: 'x' is no whole number from 1 on");
+  EXPECT_EQ(complaint("cube.obj --target-triangles 100,"),
+            "--target-triangles: '' is no whole number from 1 on");
+  EXPECT_EQ(complaint("cube.obj --no-reduce --target-triangles 100"),
+            "--target-triangles: not together with --no-reduce");
+  EXPECT_EQ(complaint("cube.obj --quads --target-triangles 100"),
+            "--target-triangles: not together with --quads");
+  EXPECT_EQ(complaint("cube.obj --strategy uniform --target-triangles 100"),
+            "--target-triangles: not together with --strategy uniform");
+}
+
 TEST_F(Cli, ReportOmitsWhatWasNotDone) {
   const Json json = report("cube.obj" + kCoarse);
   EXPECT_EQ(keys(json),
@@ -316,13 +387,14 @@ TEST_F(Cli, EveryOptionHasAnEffect) {
 TEST_F(Cli, ASavedGridIsAsGoodAsItsMesh) {
   write("torus.ply", shapes::torus());
   const Json built =
-      report("torus.ply -o a.obj --save-grid torus.kdgrid --relative-tolerance 0.01");
+      report("torus.ply -o a.obj --save-grid torus.kdgrid --no-reduce --relative-tolerance 0.01");
   EXPECT_EQ(files(), (std::set<std::string>{"a.obj", "cube.obj", "torus.kdgrid", "torus.ply"}));
   const Json loaded = report("torus.kdgrid -o b.obj");
   EXPECT_FALSE(read("a.obj").empty());
   EXPECT_EQ(read("a.obj"), read("b.obj"));
   EXPECT_EQ(loaded["input"], built["input"]);
   EXPECT_EQ(loaded["output"], built["output"]);
+  EXPECT_FALSE(loaded.contains("reduce"));  // as it was built, so nothing of the tolerance is left
   EXPECT_EQ(loaded["grid"]["hits"], built["grid"]["hits"]);
   EXPECT_EQ(loaded["seconds"]["build"], 0);
   EXPECT_EQ(keys(report("torus.kdgrid --save-grid again.kdgrid")["seconds"]),
