@@ -15,7 +15,7 @@ const head = (text) => `// SPDX-License-Identifier: MIT
 export async function generate(description, page) {
   // Here, not at the top: set-up may just have installed it.
   const { format } = await import('prettier');
-  const { build, extract, analyze, files, report } = description.options;
+  const { build, extract, reduction, reduce, analyze, files, report } = description.options;
   const typescript = (text) =>
     format(text, { parser: 'typescript', printWidth: 100, singleQuote: true });
   return {
@@ -25,9 +25,13 @@ export async function generate(description, page) {
         `import type { OptionTable } from './option-spec.js';\n`,
         optionInterface('BuildOptions', 'How a mesh becomes a grid', build),
         optionInterface('ExtractOptions', 'How a grid becomes a mesh', extract),
+        optionInterface('ReductionOptions', 'How a mesh gets fewer triangles', reduction),
+        optionInterface('ReduceOptions', 'How far a mesh is reduced', reduce),
         optionInterface('AnalyzeOptions', 'What `KdManifold.analyze` looks for', analyze),
         optionTable('buildOptions: OptionTable<BuildOptions>', build),
         optionTable('extractOptions: OptionTable<ExtractOptions>', extract),
+        optionTable('reductionOptions: OptionTable<ReductionOptions>', reduction),
+        optionTable('reduceOptions: OptionTable<ReduceOptions>', reduce),
         optionTable('analyzeOptions: OptionTable<AnalyzeOptions>', analyze),
       ].join('\n'),
     ),
@@ -56,7 +60,7 @@ export async function generate(description, page) {
           .join('\n')}\n].join('\\n');`,
       ].join('\n'),
     ),
-    'docs/options.md': withTable(page, [...build, ...extract]),
+    'docs/options.md': withTable(page, [...build, ...extract, ...reduction]),
   };
 }
 
@@ -119,6 +123,7 @@ function optionInterface(name, help, options) {
 
 function optionType({ type, words }) {
   if (type === 'choice') return words.map(({ word }) => `'${word}'`).join(' | ');
+  if (type === 'numbers') return 'number | readonly number[]';
   return type === 'integer' ? 'number' : type;
 }
 

@@ -9,12 +9,16 @@ EMSCRIPTEN_BINDINGS(kdmanifold) {
   using namespace emscripten;
   class_<kdm::Grid>("Grid")
       .function("extract", &kdm::wasm::extract)
+      .function("extractReduced", &kdm::wasm::extract_reduced)
+      .function("make", &kdm::wasm::make_from_grid)
       .function("compare", &kdm::wasm::compare)
       .function("save", &kdm::wasm::save_grid)
       .function("stats", &kdm::wasm::grid_stats)
       .function("input", &kdm::wasm::grid_input);
   function("buildGrid", &kdm::wasm::build_grid);
   function("loadGrid", &kdm::wasm::load_grid);
+  function("makeManifold", &kdm::wasm::make_manifold);
+  function("simplifyMesh", &kdm::wasm::simplify_mesh);
   function("thicken", &kdm::wasm::thicken);
   function("describe", &kdm::wasm::describe);
   function("findSelfIntersections", &kdm::wasm::find_self_intersections);

@@ -38,6 +38,13 @@ Choice to_choice(const val& word, const char* name) {
   return kBareWords<Choice>[find_word(word, name, legal)].second;
 }
 
+/// Copies an array of whole numbers, which the wrapper has checked.
+inline std::vector<Index> to_list(const val& array) {
+  std::vector<Index> list(length(array));
+  copy_in(array, list.size(), list.data());
+  return list;
+}
+
 // Functions below take the name of a field instead of the field, so that compilers drop its help.
 
 /// Reads an option; keeps its default if there is none.
@@ -47,6 +54,10 @@ void read_option(const val& from, const char* name, Value& target) {
   if (!present(value)) return;
   if constexpr (std::is_enum_v<Value>) {
     target = to_choice<Value>(value, name);
+  } else if constexpr (std::is_same_v<Value, std::optional<bool>>) {
+    target = value.as<bool>();
+  } else if constexpr (std::is_same_v<Value, std::vector<Index>>) {
+    target = to_list(value);
   } else {
     target = value.as<Value>();
   }

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "kdmanifold/error.h"
+#include "kdmanifold/make_manifold.h"
 #include "kdmanifold/mesh.h"
 #include "kdmanifold/progress.h"
 #include "kdmanifold/warnings.h"
@@ -125,6 +126,15 @@ inline Progress to_progress(const val& callback) {
   if (!present(callback)) return {};
   return [callback](double fraction, std::string_view phase) {
     return callback(fraction, std::string(phase)).template as<bool>();
+  };
+}
+
+/// Makes a function of steps of a JavaScript function that must not throw: it is told which step
+/// begins, and returns a callback as `to_progress` takes it.
+inline StepProgress to_steps(const val& begin) {
+  return [begin](MakeStep step) {
+    constexpr std::array kNames = {"build", "extract", "reduce"};
+    return to_progress(begin(std::string(kNames[static_cast<std::size_t>(step)])));
   };
 }
 

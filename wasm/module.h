@@ -31,15 +31,82 @@ inline val save_grid(const Grid& grid) {
   });
 }
 
+inline val from_meshes(const std::vector<Mesh>& meshes) {
+  val to = val::array();
+  for (const Mesh& mesh : meshes) to.call<void>("push", from_mesh(mesh, "Float32Array"));
+  return to;
+}
+
+inline val from_extracted(const ExtractedMesh& mesh) {
+  val to = from_mesh(mesh, "Float32Array");
+  val report = from_report(mesh.report);
+  report.set("warnings", from_warnings(mesh.warnings));
+  to.set("report", report);
+  return to;
+}
+
+/// Makes what `extract` gives, with `levels` and `reduce` (null: it was not).
+inline val from_reduced(const MadeMesh& made) {
+  val to = from_extracted(made);
+  to.set("levels", from_meshes(made.levels));
+  to.set("reduce", made.reduced ? from_report(*made.reduced) : val::null());
+  return to;
+}
+
+/// The same with the grid's `stats`.
+inline val from_made(const MadeMesh& made) {
+  val to = from_reduced(made);
+  to.set("stats", from_report(made.stats));
+  return to;
+}
+
+inline val make_manifold(val mesh, val options, val begin) {
+  return guard([&] {
+    MadeManifold made = kdm::make_manifold_in_steps(
+        to_mesh(mesh),
+        {to_options<BuildOptions>(options), to_options<ExtractOptions>(options),
+         to_options<ReductionOptions>(options)},
+        to_steps(begin));
+    val to = from_made(made);
+    to.set("grid", val(std::move(made.grid)));
+    return to;
+  });
+}
+
+inline val make_from_grid(const Grid& grid, val options, val begin) {
+  return guard([&] {
+    return from_made(kdm::make_from_grid(grid, to_options<ExtractOptions>(options),
+                                         to_options<ReductionOptions>(options), to_steps(begin)));
+  });
+}
+
+inline val extract_reduced(const Grid& grid, val options, val reduce, val begin) {
+  return guard([&] {
+    return from_reduced(kdm::extract_reduced(grid, to_options<ExtractOptions>(options),
+                                             to_options<ReduceOptions>(reduce), to_steps(begin)));
+  });
+}
+
+inline val simplify_mesh(val mesh, val options, val begin) {
+  return guard([&] {
+    const SimplifiedMesh few =
+        kdm::simplify_mesh(to_mesh(mesh), to_options<ReduceOptions>(options), to_steps(begin));
+    val to = val::object();
+    to.set("mesh", from_mesh(few.mesh, "Float32Array"));
+    to.set("levels", from_meshes(few.levels));
+    val report = from_report(few.report);
+    report.set("rebuilt", few.rebuilt);
+    report.set("warnings", from_warnings(few.warnings));
+    to.set("report", report);
+    return to;
+  });
+}
+
 inline val extract(const Grid& grid, val options, val progress) {
   return guard([&] {
     const ExtractedMesh mesh =
         kdm::extract(grid, to_options<ExtractOptions>(options), to_progress(progress));
-    val to = from_mesh(mesh, "Float32Array");
-    val report = from_report(mesh.report);
-    report.set("warnings", from_warnings(mesh.warnings));
-    to.set("report", report);
-    return to;
+    return from_extracted(mesh);
   });
 }
 

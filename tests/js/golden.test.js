@@ -2,7 +2,7 @@
 // WebAssembly gives the same bytes as the native library: the hashes of tests/cpp/whole/golden_test.cpp.
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { load } from '../../dist/index.js';
+import { load, makeManifold } from '../../dist/index.js';
 import { root } from './support/paths.js';
 
 const entries = JSON.parse(readFileSync(join(root, 'tests/golden/hashes.json'), 'utf8'));
@@ -26,11 +26,14 @@ test('there are hashes', () => expect(entries.length).toBeGreaterThan(20));
 
 test.each(
   entries.map((entry) => [
-    `${entry.input} ${entry.strategy} ${entry.depth} ${entry.pairing}`,
+    entry.relativeTolerance === undefined
+      ? `${entry.input} ${entry.strategy} ${entry.depth} ${entry.pairing}`
+      : `${entry.input} reduced ${entry.relativeTolerance} ${entry.targetTriangles}`,
     entry,
   ]),
 )('%s', async (_, entry) => {
   const kdm = await load();
+  if (entry.relativeTolerance !== undefined) return expectReduced(kdm, entry);
   const { input, strategy, depth, inside, pairing, quads } = entry;
   const file = readFileSync(join(root, 'tests/data', input));
   const grid = kdm.buildGrid(kdm.parseMesh(file, 'obj', input), {
@@ -41,8 +44,22 @@ test.each(
   });
   const mesh = grid.extract({ quads });
   grid.delete();
+  expectMesh(mesh, entry);
+});
+
+function expectMesh(mesh, entry) {
   expect(mesh.positions.length / 3).toBe(entry.vertices);
   expect(mesh.indices.length / 3).toBe(entry.triangles);
-  const { positions, indices, quads: four = new Uint32Array(), sourceFaces } = mesh;
-  expect(hash([positions, indices, four, sourceFaces])).toBe(entry.hash);
-});
+  const { positions, indices, quads = new Uint32Array(), sourceFaces } = mesh;
+  expect(hash([positions, indices, quads, sourceFaces])).toBe(entry.hash);
+}
+
+async function expectReduced(kdm, entry) {
+  const { input, relativeTolerance, targetTriangles } = entry;
+  const file = readFileSync(join(root, 'tests/data', input));
+  const { mesh } = await makeManifold(kdm.parseMesh(file, 'obj', input), {
+    relativeTolerance,
+    ...(targetTriangles.length > 0 && { targetTriangles }),
+  });
+  expectMesh(mesh, entry);
+}

@@ -10,7 +10,7 @@ import { cube } from './support/meshes.js';
 import { execute, nativeCli, nodeCli, root, withFolder } from './support/paths.js';
 
 const description = JSON.parse(execute(nativeCli, ['--describe']).stdout);
-const { build, extract, analyze } = description.options;
+const { build, extract, reduction, reduce, analyze } = description.options;
 const programs = [
   ['native', (args, options) => execute(nativeCli, args, options)],
   ['Node', (args, options) => execute(process.execPath, [nodeCli, ...args], options)],
@@ -39,8 +39,8 @@ test('the descriptions are complete', () => {
       const dashed = name.replace(/[A-Z]/g, (c) => `-${c.toLowerCase()}`);
       expect([`--${dashed}`, `--no-${dashed}`]).toContain(flag);
       expect(help).toMatch(/^[a-z`].*[^.]$/);
-      if (type === 'number' || type === 'integer') {
-        expect(letter).toMatch(/^[A-Z]$/);
+      if (['number', 'integer', 'numbers'].includes(type)) {
+        expect(letter).toMatch(type === 'numbers' ? /^N\[,N\.\.\.\]$/ : /^[A-Z]$/);
         expect(typeof least).toBe('number');
       }
       if (type === 'choice') for (const { help: meaning } of words) expect(meaning).not.toBe('');
@@ -55,7 +55,8 @@ test('the descriptions are complete', () => {
 test('both command lines print the same help', () => {
   const [native, node] = programs.map(([, run]) => run(['--help']));
   expect(node).toEqual(native);
-  for (const { flag } of [...build, ...extract]) expect(native.stdout).toContain(`  ${flag}`);
+  for (const { flag } of [...build, ...extract, ...reduction])
+    expect(native.stdout).toContain(`  ${flag}`);
 });
 
 // Values that an option takes, without its default, and values that it refuses.
@@ -65,6 +66,11 @@ function values({ type, least, most, below, words, default: standard }) {
       return [words.map(({ word }) => word), ['nonsense', 'none']];
     case 'boolean':
       return [[!standard], [1]];
+    case 'numbers':
+      return [
+        [[5], [7, 5, 1]],
+        [[0], [5, 5], [4, 5], [7, 0.5]],
+      ];
     default: {
       const legal = [most ?? (below === undefined ? 1000 : below / 2)];
       const wrong = [least - 1, Infinity];
@@ -89,6 +95,11 @@ const errorOf = (action) => {
 const calls = [
   ...build.map((option) => [option, (options) => kdm.buildGrid(cube(), options).delete()]),
   ...extract.map((option) => [option, (options) => grid.extract(options)]),
+  // One of the two is always wanted.
+  ...reduce.map((option) => [
+    option,
+    (options) => kdm.simplifyMesh(cube(), { targetTriangles: 12, ...options }),
+  ]),
   ...analyze.map((option) => [option, (options) => kdm.analyze(cube(), options)]),
 ].map(([option, call]) => [option.name, option, call]);
 
@@ -122,6 +133,10 @@ test('the WebAssembly module itself reads every option and refuses what is out o
   const attempts = [
     ...build.map((option) => [option, (options) => raw.buildGrid(cube(), options, null)]),
     ...extract.map((option) => [option, (options) => rawGrid.extract(options, null)]),
+    ...reduction.map((option) => [
+      option,
+      (options) => raw.makeManifold(cube(), options, () => null),
+    ]),
   ];
   for (const [option, call] of attempts) {
     const { name, type } = option;
@@ -131,7 +146,9 @@ test('the WebAssembly module itself reads every option and refuses what is out o
       expect(call({ [name]: value }).message ?? '').not.toContain('it must be a');
     }
     // Fractions and infinity do not get past the wrapper. 0 means "not set" to C++ where it is not legal.
-    for (const value of wrong.filter((v) => typeof v === 'string' || Number.isInteger(v))) {
+    for (const value of wrong.filter(
+      (v) => typeof v === 'string' || [v].flat().every(Number.isInteger),
+    )) {
       if (option.unset !== undefined && value === 0) continue;
       const { code, message } = call({ [name]: value });
       expect({ name, value, code }).toEqual({ name, value, code: 'INVALID_OPTION' });
@@ -140,7 +157,7 @@ test('the WebAssembly module itself reads every option and refuses what is out o
   }
 });
 
-test.each(calls.filter(([, option]) => !analyze.includes(option)))(
+test.each([...build, ...extract, ...reduction].map((option) => [option.name, option]))(
   'command lines: %s takes what is legal and refuses all else, with the same words',
   (_, option) =>
     withFolder((folder) => {

@@ -23,6 +23,7 @@ test('gives a mesh and a report', async () => {
   expect(report.grid.leaves).toBeGreaterThan(0);
   expect(report.seconds.build).toBeGreaterThan(0);
   expect(report.seconds.extract).toBeGreaterThan(0);
+  expect(report.seconds.reduce).toBeGreaterThan(0);
   expect(report.peakBytes).toBeGreaterThan(0);
 });
 

@@ -6,6 +6,7 @@ import {
   KdManifoldError,
   load,
   makeManifold,
+  simplifyMesh,
   type BuildOptions,
   type Conversion,
   type ErrorCode,
@@ -15,6 +16,7 @@ import {
   type MeshInput,
   type ParsedMesh,
   type Report,
+  type Simplification,
 } from 'kdmanifold';
 import {
   fromBufferGeometry,
@@ -54,6 +56,11 @@ const words: [boolean, number, number] = [
   report.grid.unresolvedLeaves,
   report.input.cancelledFaces,
 ];
+
+const levels: Mesh[] = (await makeManifold(soup, { targetTriangles: [200, 100] })).levels;
+const simplification: Simplification = await simplifyMesh(indexed, { error: 0.1 });
+// @ts-expect-error: a distance is no flag
+void simplifyMesh(indexed, { error: true });
 
 const kdm = await load({ wasmUrl: 'https://example.org/kdmanifold.wasm' });
 const options: BuildOptions = { strategy: 'median', depth: 12, pairing: 'trace' };
@@ -115,5 +122,5 @@ toMesh(mesh, soup);
 // @ts-expect-error grids come from buildGrid
 new Grid();
 
-export { bytes, geometry, handles, loop, shell, triangles, words };
+export { bytes, geometry, handles, levels, loop, shell, simplification, triangles, words };
 export { materials, part, shown, skipped };

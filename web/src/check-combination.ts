@@ -2,7 +2,7 @@
 // Finds options that have no effect beside the others, as src/options/check_options.cpp does.
 import type { OptionSpec } from './option-spec.js';
 import { buildOptions, extractOptions } from './options.js';
-import type { BuildOptions, ExtractOptions } from './types.js';
+import type { BuildOptions, ExtractOptions, ReductionOptions } from './types.js';
 
 /** An option without effect, and when it has one; names of other options stand in backticks. */
 export interface Useless {
@@ -76,3 +76,34 @@ export const uselessOfExtract = (
   options: ExtractOptions,
   isGiven: (name: string) => boolean = differs({ ...options }, extractOptions),
 ): Useless | undefined => find(extractRules, options, isGiven);
+
+// What excludes reduction, as src/make/reduction_rule.cpp finds it.
+function obstacle(build: BuildOptions, extract: ExtractOptions): string | undefined {
+  const { strategy, tolerance = 0, relativeTolerance } = build;
+  if (extract.quads) return '`quads`';
+  if (extract.strict === 'off') return '`strict` off';
+  if (strategy === 'median' || strategy === 'uniform') return `\`strategy\` ${strategy}`;
+  return tolerance === 0 && relativeTolerance === 0 ? '`relativeTolerance` 0' : undefined;
+}
+
+/** Returns the option that asks for reduction beside one that excludes it. */
+export function uselessReduction(
+  { reduce, targetTriangles }: ReductionOptions,
+  build: BuildOptions,
+  extract: ExtractOptions,
+): Useless | undefined {
+  const numbered = targetTriangles !== undefined;
+  if (numbered && reduce === false) {
+    return { name: 'targetTriangles', when: 'not together with `reduce` false' };
+  }
+  const wish = numbered ? 'targetTriangles' : reduce ? 'reduce' : undefined;
+  const excludes = obstacle(build, extract);
+  return wish && excludes ? { name: wish, when: `not together with ${excludes}` } : undefined;
+}
+
+/** Says whether a result will be reduced, of options that do not exclude each other. */
+export const isReduced = (
+  { reduce = true }: ReductionOptions,
+  build: BuildOptions,
+  extract: ExtractOptions,
+): boolean => reduce && obstacle(build, extract) === undefined;

@@ -1,9 +1,20 @@
 // SPDX-License-Identifier: MIT
 // Finds everything that a caller can get wrong, before any memory of WebAssembly is taken.
-import { uselessOfBuild, uselessOfExtract, type Useless } from './check-combination.js';
+import {
+  uselessOfBuild,
+  uselessOfExtract,
+  uselessReduction,
+  type Useless,
+} from './check-combination.js';
 import { KdManifoldError } from './errors.js';
 import { isLegal, rangeText, type OptionSpec } from './option-spec.js';
-import { analyzeOptions, buildOptions, extractOptions } from './options.js';
+import {
+  analyzeOptions,
+  buildOptions,
+  extractOptions,
+  reduceOptions,
+  reductionOptions,
+} from './options.js';
 import type {
   AnalyzeOptions,
   BuildOptions,
@@ -11,6 +22,7 @@ import type {
   ExtractOptions,
   MeshInput,
   PolygonMeshInput,
+  ReduceOptions,
 } from './types.js';
 
 /** A mesh whose arrays are typed arrays that were looked at. */
@@ -187,6 +199,11 @@ function checkOption(name: string, value: unknown, spec: OptionSpec): void {
         refuse(`a ${spec.kind === 'integer' ? 'whole ' : ''}number ${rangeText(spec)}`);
       }
       break;
+    case 'numbers':
+      if (!isDescending(value, spec.least)) {
+        refuse(`whole numbers from ${spec.least} on, each smaller than the one before`);
+      }
+      break;
     case 'boolean':
       if (typeof value !== 'boolean') refuse('true or false');
       break;
@@ -194,6 +211,23 @@ function checkOption(name: string, value: unknown, spec: OptionSpec): void {
       break; // the command line's
   }
 }
+
+const listOf = (value: unknown): number[] => (Array.isArray(value) ? value : [value]) as number[];
+
+function isDescending(value: unknown, least: number): boolean {
+  const numbers = listOf(value);
+  return (
+    numbers.length > 0 &&
+    numbers.every(
+      (number, i) => Number.isInteger(number) && !(number >= (numbers[i - 1] ?? Infinity)),
+    ) &&
+    (numbers.at(-1) as number) >= least
+  );
+}
+
+// As WebAssembly takes it. What is too large for 32 bits limits nothing.
+const wasmList = (value: unknown): number[] =>
+  listOf(value).map((number) => Math.min(number, 0xffffffff));
 
 /** Takes from `given` what `table` knows and refuses what neither it nor `others` know. */
 function pick(given: object, table: Record<string, OptionSpec>, others: string[]): object {
@@ -212,7 +246,7 @@ function pick(given: object, table: Record<string, OptionSpec>, others: string[]
     }
     if (value === undefined) continue;
     checkOption(name, value, spec);
-    taken[name] = value;
+    taken[name] = spec.kind === 'numbers' ? wasmList(value) : value;
   }
   return taken;
 }
@@ -233,6 +267,45 @@ export function checkBuildOptions(given: object, others: string[]): BuildOptions
 export function checkExtractOptions(given: object, others: string[]): ExtractOptions {
   const options: ExtractOptions = pick(given, extractOptions, others);
   refuseUseless(uselessOfExtract(options));
+  return options;
+}
+
+/** Options of reduction, with the numbers as WebAssembly takes them. */
+export interface CheckedReduction {
+  reduce?: boolean;
+  targetTriangles?: number[];
+}
+
+/**
+ * Checks and returns whether and how far results are reduced, beside the other options, which have been checked. Those
+ * named in `others` are left to others.
+ */
+export function checkReductionOptions(
+  given: object,
+  build: BuildOptions,
+  extract: ExtractOptions,
+  others: string[],
+): CheckedReduction {
+  const options: CheckedReduction = pick(given, reductionOptions, others);
+  refuseUseless(uselessReduction(options, build, extract));
+  return options;
+}
+
+/** Options of `simplifyMesh`, with the numbers as WebAssembly takes them. */
+export interface CheckedReduce {
+  error?: number;
+  targetTriangles?: number[];
+}
+
+/** Checks and returns how far a mesh is reduced. Options named in `others` are left to others. */
+export function checkReduceOptions(given: ReduceOptions, others: string[]): CheckedReduce {
+  const options: CheckedReduce = pick(given, reduceOptions, others);
+  if (!options.error && options.targetTriangles === undefined) {
+    throw new KdManifoldError(
+      'INVALID_OPTION',
+      'error: expected a number above 0, unless targetTriangles is given',
+    );
+  }
   return options;
 }
 

@@ -1,61 +1,105 @@
 // SPDX-License-Identifier: MIT
 // One whole conversion on the calling thread. The worker runs it, and so does the calling thread where
 // there are no workers.
+import { isReduced } from './check-combination.js';
+import type { CheckedReduce, CheckedReduction } from './check-input.js';
 import type { KdManifold } from './library.js';
 import { pick } from './pick.js';
 import { outputKeys } from './reports.js';
+import { plainShares, reducedShares, type MakeStep } from './steps.js';
 import type {
   BuildOptions,
   Conversion,
   ExtractOptions,
   MeshInput,
   ProgressCallback,
+  Simplification,
 } from './types.js';
 
-// The shares of the whole time that the steps take, measured on models of 10,000 to 200,000 triangles.
-const buildShare = 0.7;
-const extractShare = 0.2;
+// The shares of the whole time that making the mesh and describing it take, measured on models of 10,000 to 200,000
+// triangles.
+const makeShare = 0.9;
 const describeShare = 0.02;
 
-/** What is to be converted, and how. */
-export interface Order {
+/** What is to be made a manifold of, and how. */
+export interface ConvertOrder {
+  type: 'convert';
   mesh: MeshInput;
   build: BuildOptions;
   extract: ExtractOptions;
+  reduction: CheckedReduction;
   check: boolean;
 }
 
-/** Builds the grid, extracts the result, describes it and holds it against the mesh, and frees the grid. */
-export function convert(
+/** What is to be reduced, and how far. */
+export interface SimplifyOrder {
+  type: 'simplify';
+  mesh: MeshInput;
+  reduce: CheckedReduce;
+}
+
+/** What can be asked of a worker. */
+export type Order = ConvertOrder | SimplifyOrder;
+
+/** What it gives. */
+export type Outcome = Conversion | Simplification;
+
+/** Does what is ordered. */
+export function fulfil(library: KdManifold, order: Order, onProgress?: ProgressCallback): Outcome {
+  return order.type === 'convert'
+    ? convert(library, order, onProgress)
+    : simplify(library, order, onProgress);
+}
+
+// Measures the steps one after the other, in seconds.
+class Laps {
+  readonly seconds: Record<MakeStep, number> = { build: 0, extract: 0, reduce: 0 };
+  #step: MakeStep | undefined;
+  #since = performance.now();
+
+  begin(step?: MakeStep): void {
+    const now = performance.now();
+    if (this.#step !== undefined) this.seconds[this.#step] += (now - this.#since) / 1000;
+    [this.#step, this.#since] = [step, now];
+  }
+}
+
+// Makes the mesh, describes it and holds it against the input.
+function convert(
   library: KdManifold,
-  { mesh, build, extract, check }: Order,
+  { mesh, build, extract, reduction, check }: ConvertOrder,
   onProgress?: ProgressCallback,
 ): Conversion {
-  const part = (from: number, share: number): ProgressCallback | undefined =>
-    onProgress && ((fraction, phase) => onProgress(from + share * fraction, phase));
-  const started = performance.now();
-  const grid = library.buildGrid(mesh, { ...build, onProgress: part(0, buildShare) });
+  const laps = new Laps();
+  const { grid, levels, reduce, stats, report, ...result } = library.make(
+    mesh,
+    { ...build, ...extract, ...reduction },
+    isReduced(reduction, build, extract) ? reducedShares : plainShares,
+    {
+      ...(onProgress && {
+        onProgress: (fraction, phase) => onProgress(makeShare * fraction, phase),
+      }),
+      onStep: (step) => laps.begin(step),
+    },
+  );
+  laps.begin();
   try {
-    const built = performance.now();
-    const { report, ...result } = grid.extract({
-      ...extract,
-      onProgress: part(buildShare, extractShare),
-    });
-    const extracted = performance.now();
     const described = library.describe(result);
-    onProgress?.(buildShare + extractShare + describeShare, 'compare');
+    onProgress?.(makeShare + describeShare, 'compare');
     const { lost, error, warnings } = grid.compare(mesh, result, { error: check });
     onProgress?.(1, 'done');
     return {
       mesh: result,
+      levels,
       report: {
         input: grid.input,
-        grid: grid.stats,
+        grid: stats,
         output: pick({ ...described, ...report }, outputKeys),
+        reduce,
         lost,
         error,
         warnings: [...warnings, ...report.warnings],
-        seconds: { build: (built - started) / 1000, extract: (extracted - built) / 1000 },
+        seconds: laps.seconds,
         peakBytes: library.memory().heapBytes,
         thread: 'main',
       },
@@ -65,10 +109,29 @@ export function convert(
   }
 }
 
-/** Lists the buffers of a mesh, to be handed to another thread. */
-export function buffersOf(mesh: object): ArrayBuffer[] {
+function simplify(
+  library: KdManifold,
+  { mesh, reduce }: SimplifyOrder,
+  onProgress?: ProgressCallback,
+): Simplification {
+  const started = performance.now();
+  const { report, ...made } = library.simplifyMesh(mesh, { ...reduce, onProgress });
+  onProgress?.(1, 'done');
+  return {
+    ...made,
+    report: {
+      ...report,
+      seconds: (performance.now() - started) / 1000,
+      peakBytes: library.memory().heapBytes,
+      thread: 'main',
+    },
+  };
+}
+
+/** Lists the buffers of meshes, to be handed to another thread. */
+export function buffersOf(...meshes: object[]): ArrayBuffer[] {
   const buffers = new Set<ArrayBuffer>();
-  for (const value of Object.values(mesh)) {
+  for (const value of meshes.flatMap((mesh) => Object.values(mesh) as unknown[])) {
     if (ArrayBuffer.isView(value)) buffers.add(value.buffer as ArrayBuffer);
   }
   return [...buffers];

@@ -6,9 +6,12 @@ import {
   checkExtractOptions,
   checkMesh,
   checkPolygonMesh,
+  checkReduceOptions,
+  type CheckedReduction,
 } from './check-input.js';
 import { KdManifoldError } from './errors.js';
-import type { RawGrid } from './kdmanifold.js';
+import type { RawGrid, RawMade } from './kdmanifold.js';
+import { stepsOf, type Shares, type StepOptions } from './steps.js';
 import type {
   Account,
   CompareOptions,
@@ -19,11 +22,15 @@ import type {
   MeshInput,
   PolygonMeshInput,
   ProgressOptions,
+  ReduceOptions,
 } from './types.js';
 import type { OwnUint8Array } from './outside-types.js';
 
 // Node 20 has the symbol, not every browser has.
 const dispose: typeof Symbol.dispose = Symbol.dispose ?? Symbol.for('Symbol.dispose');
+
+// Where the steps of a reduced extraction begin and end.
+const extractShares: Shares = { extract: [0, 0.2], reduce: [0.2, 1] };
 
 /**
  * The kd-tree of a mesh, from which surfaces are extracted. It holds memory outside of JavaScript's
@@ -61,6 +68,10 @@ export class Grid {
    * Makes the surface of the grid: closed, oriented outwards, 2-manifold. Of a `sheet` it is a 2-manifold
    * with boundary, turned as the input is. The grid stays as it is.
    *
+   * With `reduce: { error, targetTriangles }` the result is embedded, and edges of it are collapsed as long as it stays
+   * within `error` of the grid's own surface, down to the numbers of triangles asked for. (`makeManifold` does so within
+   * the tolerance of the input.)
+   *
    * @param options - what the result must be like, and a callback for progress
    * @returns the mesh, whose arrays are the caller's, and the account of how it was made
    * @throws {@link KdManifoldError} with `INVALID_OPTION`, `EMPTY_RESULT`, `OUT_OF_MEMORY`, `ABORTED`, `DELETED`
@@ -75,10 +86,31 @@ export class Grid {
    * grid.delete();
    * ```
    */
-  extract(options: ExtractOptions & ProgressOptions = {}): ExtractedMesh {
+  extract(
+    options: ExtractOptions & ProgressOptions & { reduce?: ReduceOptions } = {},
+  ): ExtractedMesh {
     const raw = this.#demand();
-    const checked = checkExtractOptions(options, ['onProgress']);
+    const checked = checkExtractOptions(options, ['onProgress', 'reduce']);
+    if (options.reduce !== undefined) {
+      const reduce = checkReduceOptions(options.reduce, []);
+      return call(this.#health, options.onProgress, (progress) =>
+        raw.extractReduced(checked, reduce, stepsOf(progress, extractShares)),
+      );
+    }
     return call(this.#health, options.onProgress, (progress) => raw.extract(checked, progress));
+  }
+
+  /** @internal Makes the result of a loaded grid as the command lines do: reduced if the grid was built for it. */
+  make(
+    extract: ExtractOptions,
+    reduction: CheckedReduction,
+    { onProgress, onStep }: StepOptions,
+  ): RawMade {
+    const raw = this.#demand();
+    const options = { ...extract, ...reduction };
+    return call(this.#health, onProgress, (progress) =>
+      raw.make(options, stepsOf(progress, {}, onStep)),
+    );
   }
 
   /**

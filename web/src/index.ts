@@ -6,6 +6,8 @@ export { formatFromPath, KdManifold } from './library.js';
 export { close, preload, type PreloadOptions } from './life-cycle.js';
 export { load } from './load.js';
 export type { LoadOptions, WorkerOptions } from './load-options.js';
+export type { JobOptions } from './job.js';
 export { makeManifold, type MakeManifoldOptions } from './make-manifold.js';
 export type * from './outside-types.js';
+export { simplifyMesh, type SimplifyMeshOptions } from './simplify-mesh.js';
 export type * from './types.js';

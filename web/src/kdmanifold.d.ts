@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: MIT
 // The types of what Emscripten generates from wasm/bindings.cpp. Only library.ts and grid.ts see them.
 import type { ErrorCode } from './errors.js';
+import type { MakeStep } from './steps.js';
 import type {
   Account,
   ExtractedMesh,
   GridStats,
   InputReport,
+  Mesh,
   MeshReport,
   ParsedMesh,
   PolygonMeshInput,
+  ReduceReport,
   SelfIntersections,
+  Simplified,
 } from './types.js';
 
 /** What guard() in wasm/marshal.h returns. */
@@ -18,8 +22,20 @@ export type Answer<T> = { value: T; code?: undefined } | { code: ErrorCode; mess
 /** Null, or a callback that never throws and returns true to go on. */
 export type RawProgress = ((fraction: number, phase: string) => boolean) | null;
 
+/** Told which step begins; never throws. */
+export type RawSteps = (step: MakeStep) => RawProgress;
+
+/** A result that may be reduced; the tolerances in `stats` are those that it keeps. */
+export interface RawMade extends Omit<ExtractedMesh, 'reduce'> {
+  levels: Mesh[];
+  reduce: ReduceReport | null;
+  stats: GridStats;
+}
+
 export interface RawGrid {
   extract(options: object, progress: RawProgress): Answer<ExtractedMesh>;
+  extractReduced(options: object, reduce: object, begin: RawSteps): Answer<ExtractedMesh>;
+  make(options: object, begin: RawSteps): Answer<RawMade>;
   compare(input: PolygonMeshInput, result: PolygonMeshInput, error: boolean): Answer<Account>;
   save(): Answer<Uint8Array<ArrayBuffer>>;
   stats(): GridStats;
@@ -35,6 +51,12 @@ export interface RawInstance {
 
 export interface RawModule extends RawInstance {
   buildGrid(mesh: PolygonMeshInput, options: object, progress: RawProgress): Answer<RawGrid>;
+  makeManifold(
+    mesh: PolygonMeshInput,
+    options: object,
+    begin: RawSteps,
+  ): Answer<RawMade & { grid: RawGrid }>;
+  simplifyMesh(mesh: PolygonMeshInput, options: object, begin: RawSteps): Answer<Simplified>;
   loadGrid(bytes: Uint8Array, name: string): Answer<RawGrid>;
   thicken(mesh: PolygonMeshInput, thickness: number): Answer<ParsedMesh>;
   describe(mesh: PolygonMeshInput): Answer<MeshReport>;

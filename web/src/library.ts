@@ -6,16 +6,20 @@ import {
   checkBuildOptions,
   checkMesh,
   checkPolygonMesh,
+  checkReduceOptions,
+  type CheckedReduction,
 } from './check-input.js';
 import { toDefects } from './defects.js';
 import { KdManifoldError } from './errors.js';
 import { Grid } from './grid.js';
 import type { RawTools } from './kdmanifold-tools.js';
-import type { RawGrid, RawModule } from './kdmanifold.js';
+import type { RawGrid, RawMade, RawModule } from './kdmanifold.js';
 import type { OwnUint8Array } from './outside-types.js';
+import { reducedShares, stepsOf, type Shares, type StepOptions } from './steps.js';
 import type {
   AnalyzeOptions,
   BuildOptions,
+  ExtractOptions,
   FileMesh,
   MeshDefects,
   MeshFormat,
@@ -24,7 +28,9 @@ import type {
   ParsedMesh,
   PolygonMeshInput,
   ProgressOptions,
+  ReduceOptions,
   SelfIntersections,
+  Simplified,
 } from './types.js';
 
 const formats: readonly string[] = ['obj', 'stl', 'ply', 'off'] satisfies MeshFormat[];
@@ -136,6 +142,49 @@ export class KdManifold {
       this.#raw.buildGrid(input, checked, progress),
     );
     return Grid.of(raw, this.#registry, this.#health);
+  }
+
+  /** @internal Does what `makeManifold` does, with options that were checked; the grid is the caller's. */
+  make(
+    mesh: MeshInput,
+    options: BuildOptions & ExtractOptions & CheckedReduction,
+    shares: Shares,
+    { onProgress, onStep }: StepOptions,
+  ): Omit<RawMade, 'grid'> & { grid: Grid } {
+    const input = checkMesh(mesh);
+    const { grid, ...made } = call(this.#health, onProgress, (progress) =>
+      this.#raw.makeManifold(input, options, stepsOf(progress, shares, onStep)),
+    );
+    return { ...made, grid: Grid.of(grid, this.#registry, this.#health) };
+  }
+
+  /**
+   * Reduces a mesh to fewer triangles: within a distance of it, to a number of triangles, or both; several numbers make
+   * several levels of detail. Parts and handles stay, no two triangles cross. Vertices of equal position are joined
+   * first, once positions are rounded to 32 bits; a mesh that is then closed, 2-manifold and crosses itself nowhere is
+   * taken as it is, any other is first made so, as by `makeManifold`.
+   *
+   * @param mesh - the triangles, in whatever state; their arrays are read, not kept
+   * @param options - `error` in model units, `targetTriangles`, and a callback for progress
+   * @returns the mesh, the levels and the account
+   * @throws {@link KdManifoldError} with `INVALID_MESH`, `INVALID_OPTION`, `NOT_CLOSED`, `EMPTY_RESULT`,
+   * `OUT_OF_MEMORY`, `ABORTED`
+   *
+   * @example
+   * ```js
+   * import { load } from 'kdmanifold';
+   *
+   * const kdm = await load();
+   * const { mesh, report } = kdm.simplifyMesh({ positions, indices }, { error: 0.01 });
+   * console.log(report.trianglesBefore, mesh.indices.length / 3);
+   * ```
+   */
+  simplifyMesh(mesh: MeshInput, options: ReduceOptions & ProgressOptions): Simplified {
+    const checked = checkReduceOptions(options, ['onProgress']);
+    const input = checkMesh(mesh);
+    return call(this.#health, options.onProgress, (progress) =>
+      this.#raw.simplifyMesh(input, checked, stepsOf(progress, reducedShares)),
+    );
   }
 
   /**

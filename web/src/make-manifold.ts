@@ -1,40 +1,28 @@
 // SPDX-License-Identifier: MIT
 // The one call for most people.
-import {
-  checkBuildOptions,
-  checkExtractOptions,
-  checkMesh,
-  type CheckedMesh,
-} from './check-input.js';
-import { buffersOf } from './convert.js';
-import { aborted, KdManifoldError } from './errors.js';
-import { checkSource, sourceKeys, type LoadOptions, type WorkerOptions } from './load-options.js';
-import { buildOptions, extractOptions } from './options.js';
-import type { Signal } from './outside-types.js';
+import { checkBuildOptions, checkExtractOptions, checkReductionOptions } from './check-input.js';
+import { jobKeys, jobOf, refuse, type JobOptions } from './job.js';
+import { buildOptions, extractOptions, reductionOptions } from './options.js';
 import type {
   BuildOptions,
   Conversion,
   ExtractOptions,
   MeshInput,
-  ProgressOptions,
+  ReductionOptions,
 } from './types.js';
 import { submit } from './worker/pool.js';
 
 /** Everything that `makeManifold` can be told. */
 export interface MakeManifoldOptions
-  extends BuildOptions, ExtractOptions, ProgressOptions, LoadOptions, WorkerOptions {
-  /**
-   * Stops the conversion, which then rejects with the reason that the signal was given; where it was given none, with
-   * `ABORTED`.
-   */
-  signal?: Signal;
-  /** Hand the mesh's arrays over instead of copying them; they are empty afterwards. */
-  transfer?: boolean;
+  extends BuildOptions, ExtractOptions, ReductionOptions, JobOptions {
   /** Measure how far result and input are apart: `report.error`. Takes a fifth to two fifths longer. */
   check?: boolean;
 }
 
-const own = ['onProgress', 'signal', 'transfer', 'check', ...sourceKeys];
+const [ofBuild, ofExtract, ofReduction] = [buildOptions, extractOptions, reductionOptions].map(
+  (table) => Object.keys(table),
+) as [string[], string[], string[]];
+const own = ['check', ...jobKeys];
 
 /**
  * Makes a closed, oriented 2-manifold mesh of a mesh in whatever state: shells may overlap, nest and
@@ -43,6 +31,9 @@ const own = ['onProgress', 'signal', 'transfer', 'check', ...sourceKeys];
  * worker (in Node: a worker thread), so that the calling thread stays free, one conversion after the
  * other unless `concurrency` allows more; where no worker can be started, on the calling thread, which
  * a warning and `report.thread` tell.
+ *
+ * The result has as few triangles as are found within the tolerance, in the numbers of `targetTriangles` if these
+ * are given, and no two of them cross; `reduce: false` gives the grid's own.
  *
  * @param mesh - the triangles, in whatever state; their arrays are copied unless `transfer` is set
  * @param options - how to build and extract, where to work, how to be told and stopped
@@ -62,52 +53,15 @@ export async function makeManifold(
   mesh: MeshInput,
   options: MakeManifoldOptions = {},
 ): Promise<Conversion> {
-  const build = checkBuildOptions(options, [...own, ...Object.keys(extractOptions)]);
-  const extract = checkExtractOptions(options, [...own, ...Object.keys(buildOptions)]);
-  const { onProgress, signal, transfer = false, check = false } = options;
-  const source = checkSource(options);
-  if (typeof transfer !== 'boolean') refuse('transfer', 'true or false');
+  const build = checkBuildOptions(options, [...own, ...ofExtract, ...ofReduction]);
+  const extract = checkExtractOptions(options, [...own, ...ofBuild, ...ofReduction]);
+  const others = [...own, ...ofBuild, ...ofExtract];
+  const reduction = checkReductionOptions(options, build, extract, others);
+  const { check = false } = options;
   if (typeof check !== 'boolean') refuse('check', 'true or false');
-  if (onProgress !== undefined && typeof onProgress !== 'function') {
-    refuse('onProgress', 'a function');
-  }
-  if (signal !== undefined && typeof signal?.addEventListener !== 'function') {
-    refuse('signal', 'an AbortSignal');
-  }
-  if (signal?.aborted) throw aborted(signal);
-  const input = separate(checkMesh(mesh), transfer);
+  const { mesh: input, ...job } = jobOf(mesh, options);
   return submit({
-    mesh: input,
-    transfer: buffersOf(input),
-    build,
-    extract,
-    check,
-    source,
-    signal,
-    onProgress,
+    ...job,
+    order: { type: 'convert', mesh: input, build, extract, reduction, check },
   });
-}
-
-function refuse(name: string, expected: string): never {
-  throw new KdManifoldError('INVALID_OPTION', `${name}: expected ${expected}`);
-}
-
-// Makes arrays that the worker may have: copies, so that the caller may go on changing the originals,
-// or, with `transfer`, the originals. Of a large buffer only the part in view is sent.
-function separate(mesh: CheckedMesh, transfer: boolean): MeshInput {
-  const copy = <T extends CheckedMesh['positions'] | NonNullable<CheckedMesh['indices']>>(
-    array: T,
-  ): T => {
-    const whole = array.byteLength === array.buffer.byteLength && isTransferable(array.buffer);
-    return transfer && whole ? array : (array.slice() as T);
-  };
-  return {
-    positions: copy(mesh.positions),
-    indices: mesh.indices ? copy(mesh.indices) : null,
-    sourceFaces: mesh.sourceFaces ? copy(mesh.sourceFaces) : null,
-  };
-}
-
-function isTransferable(buffer: ArrayBufferLike): boolean {
-  return typeof SharedArrayBuffer !== 'function' || !(buffer instanceof SharedArrayBuffer);
 }

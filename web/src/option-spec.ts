@@ -9,6 +9,7 @@ export type OptionSpec = {
   | { kind: 'choice'; words: readonly string[]; default?: string }
   | NumberSpec
   | { kind: 'boolean'; default: boolean }
+  | { kind: 'numbers'; least: number }
   | { kind: 'text'; shortName?: string }
 );
 

@@ -137,6 +137,38 @@ export interface ExtractOptions {
   creaseAngle?: number;
 }
 
+/** How a mesh gets fewer triangles. */
+export interface ReductionOptions {
+  /**
+   * Collapse edges as long as the result stays within the tolerance. The grid is then built at half
+   * of the tolerance, and the result is embedded whatever `strict` says. Left out where `quads`,
+   * `strict` off, a `strategy` without tolerance or a tolerance of 0 excludes it; asked for beside
+   * one of these, it is refused. Default true.
+   */
+  reduce?: boolean;
+  /**
+   * How many triangles are to be left; several numbers, each smaller than the one before, make
+   * several levels: for -o name.obj the files name.1.obj, name.2.obj and so on. The tolerance
+   * counts too, so that there may be more. Left out: as few as the distance allows.
+   */
+  targetTriangles?: number | readonly number[];
+}
+
+/** How far a mesh is reduced. */
+export interface ReduceOptions {
+  /**
+   * How far result and mesh may be apart, in model units. 0, the default: without limit,
+   * `targetTriangles` decides.
+   */
+  error?: number;
+  /**
+   * How many triangles are to be left; several numbers, each smaller than the one before, make
+   * several levels. The error counts too, so that there may be more. Left out: as few as the
+   * distance allows.
+   */
+  targetTriangles?: number | readonly number[];
+}
+
 /** What `KdManifold.analyze` looks for. */
 export interface AnalyzeOptions {
   /**
@@ -195,6 +227,18 @@ export const extractOptions: OptionTable<ExtractOptions> = {
   },
   normals: { flag: '--normals', kind: 'boolean', default: false },
   creaseAngle: { flag: '--crease-angle', kind: 'number', least: 0, most: 180, default: 30 },
+};
+
+/** @internal */
+export const reductionOptions: OptionTable<ReductionOptions> = {
+  reduce: { flag: '--no-reduce', kind: 'boolean', default: true },
+  targetTriangles: { flag: '--target-triangles', kind: 'numbers', least: 1 },
+};
+
+/** @internal */
+export const reduceOptions: OptionTable<ReduceOptions> = {
+  error: { flag: '--error', kind: 'number', least: 0, default: 0 },
+  targetTriangles: { flag: '--target-triangles', kind: 'numbers', least: 1 },
 };
 
 /** @internal */

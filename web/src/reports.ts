@@ -87,9 +87,10 @@ export interface GridStats {
   /** The tolerance that was asked for; 0: none. In model units. */
   askedTolerance: number;
   /**
-   * The tolerance that was asked for, or a wider one where a surface to be repaired would have
-   * taken beyond all measure. For strategies without a tolerance: the one that extraction goes by.
-   * In model units.
+   * How far the result may be from the input: the tolerance that was asked for, or a wider one
+   * where a surface to be repaired would have taken beyond all measure. For strategies without a
+   * tolerance: the one that extraction goes by. Of a grid by itself that was built for a reduced
+   * result: half of it. In model units.
    */
   tolerance: number;
   /**
@@ -148,6 +149,18 @@ export interface ExtractReport {
    * nobody has looked.
    */
   crossings: number | null;
+}
+
+/** How a mesh was reduced. */
+export interface ReduceReport {
+  /** Triangles of the mesh that was reduced. */
+  trianglesBefore: number;
+  /** Triangles that are left, of the last level. */
+  triangles: number;
+  /** Edges that were collapsed. */
+  collapses: number;
+  /** Edges that were flipped, at creases that the reference does not have. */
+  flips: number;
 }
 
 /** What of the input the result does not come near. */

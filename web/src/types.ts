@@ -8,9 +8,16 @@ import type {
   LostArea,
   MeshError,
   OutputReport,
+  ReduceReport,
 } from './reports.js';
 
-export type { AnalyzeOptions, BuildOptions, ExtractOptions } from './options.js';
+export type {
+  AnalyzeOptions,
+  BuildOptions,
+  ExtractOptions,
+  ReduceOptions,
+  ReductionOptions,
+} from './options.js';
 export type {
   Deviation,
   ExtractReport,
@@ -22,6 +29,7 @@ export type {
   MeshPart,
   MeshReport,
   OutputReport,
+  ReduceReport,
   SelfIntersections,
 } from './reports.js';
 
@@ -130,6 +138,24 @@ export interface Warning {
 export interface ExtractedMesh extends Mesh {
   /** How it was made, and what one should know before one trusts it, the gravest first. */
   report: ExtractReport & { warnings: Warning[] };
+  /** Only with the option `reduce`: one mesh for each of `targetTriangles`. The result is the last one. */
+  levels?: Mesh[];
+  /** Only with the option `reduce`: how it was reduced. */
+  reduce?: ReduceReport;
+}
+
+/** What `KdManifold.simplifyMesh` gives. */
+export interface Simplified {
+  /** The last level, if there are several. */
+  mesh: Mesh;
+  /** One mesh for each of `targetTriangles`. */
+  levels: Mesh[];
+  report: ReduceReport & {
+    /** The mesh was not closed, not 2-manifold or met itself, and was made anew first. */
+    rebuilt: boolean;
+    /** What one should know of that, the gravest first. */
+    warnings: Warning[];
+  };
 }
 
 /** What `Grid.compare` finds. */
@@ -153,6 +179,8 @@ export interface Report {
   input: InputReport;
   grid: GridStats;
   output: OutputReport;
+  /** How the result was reduced; null: it was not. */
+  reduce: ReduceReport | null;
   /** What of the input the result does not come near. */
   lost: LostArea;
   /** How far result and input are apart; null without the option `check`. */
@@ -160,15 +188,23 @@ export interface Report {
   /** What one should know before one trusts the mesh, the gravest first. */
   warnings: Warning[];
   /** Wall-clock time of the steps. */
-  seconds: { build: number; extract: number };
+  seconds: { build: number; extract: number; reduce: number };
   /** Size of the WebAssembly heap, which never shrinks: the most that any call so far needed. */
   peakBytes: number;
   /** Who did it: a worker, or (`main`) the thread that called, which could do nothing else meanwhile. */
   thread: 'worker' | 'main';
 }
 
+/** What `simplifyMesh` gives. */
+export interface Simplification extends Simplified {
+  report: Simplified['report'] & Pick<Report, 'peakBytes' | 'thread'> & { seconds: number };
+}
+
 /** What `makeManifold` gives. */
 export interface Conversion {
+  /** The result; the last level, if there are several. */
   mesh: Mesh;
+  /** One mesh for each of `targetTriangles`. */
+  levels: Mesh[];
   report: Report;
 }

@@ -80,6 +80,7 @@ test('a bad input does not stop the others', () =>
         'input',
         'grid',
         'output',
+        'reduce',
         'lost',
         'error',
         'warnings',

@@ -70,6 +70,36 @@ const wrong = [
     ['a.obj', '--inputFormat', 'obi'],
     "--inputFormat: 'obi' is none of obj, stl, ply, off, glb; did you mean obj?",
   ],
+  [['a.obj', '--target-triangles', '0'], "--target-triangles: '0' is no whole number from 1 on"],
+  [
+    ['a.obj', '--target-triangles', '9,8.5'],
+    "--target-triangles: '8.5' is no whole number from 1 on",
+  ],
+  [['a.obj', '--target-triangles', '9,'], "--target-triangles: '' is no whole number from 1 on"],
+  [
+    ['a.obj', '--targetTriangles', '9,9'],
+    "--targetTriangles: '9' must be smaller than the number before",
+  ],
+  [
+    ['a.obj', '--targetTriangles', '9', '--noReduce'],
+    '--targetTriangles: not together with --noReduce',
+  ],
+  [
+    ['a.obj', '--target-triangles', '9', '--quads'],
+    '--target-triangles: not together with --quads',
+  ],
+  [
+    ['a.obj', '--target-triangles', '9', '--no-strict'],
+    '--target-triangles: not together with --strict off',
+  ],
+  [
+    ['a.obj', '--target-triangles', '9,8', '-o', '-', '--format', 'stl'],
+    '--target-triangles: standard output takes one level, not several',
+  ],
+  [
+    ['a.obj', '--target-triangles', '9', '--relative-tolerance', '0'],
+    '--target-triangles: not together with --relative-tolerance 0',
+  ],
   // Files.
   [['missing.obj'], 'missing.obj: cannot be read: there is no such file or folder'],
   [['a.obj/b.obj'], 'a.obj/b.obj: cannot be read: a part of its path is no folder'],

@@ -4,7 +4,7 @@ import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { load } from '../../../dist/index.js';
 import { fileOptions, reportOptions } from '../../../build/js/cli/table.js';
-import { buildOptions, extractOptions } from '../../../build/js/options.js';
+import { buildOptions, extractOptions, reductionOptions } from '../../../build/js/options.js';
 import { cube, faults, together, torus } from '../support/meshes.js';
 import { both, programs, withoutNumbers, writeMesh } from '../support/programs.js';
 import { execute, nodeCli, withFolder } from '../support/paths.js';
@@ -24,6 +24,8 @@ const keysOf = (value) =>
 const optionSets = [
   [],
   ['--tolerance', '0.05'],
+  ['--tolerance', '0.05', '--no-reduce'],
+  ['--tolerance', '0.2', '--target-triangles', '900'],
   ['--relative-tolerance=0.01'],
   ['--strategy', 'octree', '--depth', '15'],
   ['--strategy', 'median', '--depth', '15', '--inside', 'nonzero'],
@@ -59,7 +61,7 @@ test.each(optionSets.map((set) => [set.join(' '), set]))(
         expect(node.bytes.equals(native.bytes)).toBe(true);
         expect(keysOf(node.report)).toEqual(keysOf(native.report));
         expect(JSON.stringify(keysOf(node.report))).toBe(JSON.stringify(keysOf(native.report)));
-        for (const part of ['input', 'output', 'lost', 'error', 'check']) {
+        for (const part of ['input', 'output', 'reduce', 'lost', 'error', 'check']) {
           expect(node.report[part]).toEqual(native.report[part]);
         }
         // Sizes in memory differ with the width of pointers; nothing else does.
@@ -125,9 +127,8 @@ test('a saved grid is the same file from both, and is read by both', () =>
   withFolder((folder) => {
     write(join(folder, 'a.obj'), torus());
     const saved = programs.map(([name, run]) => {
-      const result = run(['a.obj', '-o', `${name}.ply`, '--save-grid', `${name}.kdgrid`], {
-        cwd: folder,
-      });
+      const files = ['-o', `${name}.ply`, '--save-grid', `${name}.kdgrid`];
+      const result = run(['a.obj', ...files, '--no-reduce'], { cwd: folder });
       expect(result).toMatchObject({ status: 0, stderr: '' });
       return readFileSync(join(folder, `${name}.kdgrid`));
     });
@@ -144,6 +145,46 @@ test('a saved grid is the same file from both, and is read by both', () =>
     });
     expect(loaded[1]).toBe(loaded[0]);
     expect(loaded[0]).toContain('grid     loaded, depth');
+  }));
+
+test('a file for each level, the same from both', () =>
+  withFolder((folder) => {
+    write(join(folder, 'a.obj'), torus());
+    const levels = ['--target-triangles', '400,300', '--tolerance', '0.3'];
+    const reports = programs.map(([name, run]) => {
+      const args = ['a.obj', '-o', `${name}.ply`, ...levels, '--json'];
+      return JSON.parse(run(args, { cwd: folder }).stdout);
+    });
+    const made = reports.map(({ levels }) => levels.map(({ triangles }) => triangles));
+    expect(made[1]).toEqual(made[0]);
+    expect(reports[1].levels.map(({ file }) => file)).toEqual(['Node.1.ply', 'Node.2.ply']);
+    for (const level of [1, 2]) {
+      const [native, node] = ['native', 'Node'].map((name) =>
+        readFileSync(join(folder, `${name}.${level}.ply`)),
+      );
+      expect(node.equals(native)).toBe(true);
+      expect(kdm.parseMesh(node, 'ply').indices.length / 3).toBe(made[0][level - 1]);
+    }
+    expect(existsSync(join(folder, 'Node.ply'))).toBe(false);
+    const texts = both(['a.obj', ...levels], { cwd: folder }).map(({ stdout }) => stdout);
+    expect(withoutNumbers(texts[1])).toBe(withoutNumbers(texts[0]));
+    expect(texts[0]).toContain(`level    ${made[0][0]} triangles`);
+  }));
+
+test('a grid that was built for it is reduced when it is loaded, by both alike', () =>
+  withFolder((folder) => {
+    write(join(folder, 'a.obj'), torus());
+    const [[, native]] = programs;
+    native(['a.obj', '--save-grid', 'a.kdgrid', '--tolerance', '0.1'], { cwd: folder });
+    const [first, second] = programs.map(([name, run]) => {
+      const args = ['a.kdgrid', '-o', `${name}.ply`, '--json'];
+      const { reduce, grid } = JSON.parse(run(args, { cwd: folder }).stdout);
+      expect(reduce.triangles).toBeLessThan(reduce.trianglesBefore);
+      expect(grid.askedTolerance).toBe(0.1);
+      expect(grid.tolerance).toBeCloseTo(0.1, 7);
+      return readFileSync(join(folder, `${name}.ply`));
+    });
+    expect(second.equals(first)).toBe(true);
   }));
 
 test('--stats describes what cannot be built from, in both alike', () =>
@@ -183,7 +224,14 @@ test('--stats with an output does both', () =>
       return JSON.parse(stdout);
     });
     expect(JSON.stringify(keysOf(node))).toBe(JSON.stringify(keysOf(native)));
-    expect(Object.keys(node.seconds)).toEqual(['read', 'analyze', 'build', 'extract', 'write']);
+    expect(Object.keys(node.seconds)).toEqual([
+      'read',
+      'analyze',
+      'build',
+      'extract',
+      'reduce',
+      'write',
+    ]);
     expect(node.defects).toEqual(native.defects);
     expect(node.defects).toMatchObject({ boundaryEdges: 0, selfIntersections: 0, volume: 8 });
     const texts = both(args, { cwd: folder }).map(({ stdout }) => withoutNumbers(stdout));
@@ -203,7 +251,8 @@ test('--help lists the same options in both, and they are those of the interface
     '--no-strict',
     '--version',
   ];
-  const fromTable = Object.values({ ...buildOptions, ...extractOptions }).map(({ flag }) => flag);
+  const table = { ...buildOptions, ...extractOptions, ...reductionOptions };
+  const fromTable = Object.values(table).map(({ flag }) => flag);
   expect(names[1].filter((name) => !own.includes(name))).toEqual(fromTable.sort());
   for (const spec of Object.values(buildOptions)) {
     if (spec.kind !== 'choice') continue;

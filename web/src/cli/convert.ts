@@ -5,13 +5,15 @@ import { inputFormat, inputName, outputFormat, type FileFormat } from './formats
 import { readGlb, type GlbScene } from './glb-read.js';
 import { writeGlb } from './glb-write.js';
 import { converts, withTypedNames, type Command } from './options.js';
-import type { Task } from './plan.js';
+import { levelPath, type Task } from './plan.js';
 import type { ProgressLine } from './progress.js';
 import type { CliReport } from './report.js';
 import { KdManifoldError } from '../errors.js';
 import type { Grid } from '../grid.js';
+import type { RawMade } from '../kdmanifold.js';
 import type { KdManifold } from '../library.js';
-import type { Account, Mesh, MeshInput } from '../types.js';
+import type { StepOptions } from '../steps.js';
+import type { Account, Mesh, MeshInput, ProgressCallback } from '../types.js';
 
 // What a task's files are: nothing for grids, and where there is no output.
 interface Formats {
@@ -19,8 +21,17 @@ interface Formats {
   output?: FileFormat;
 }
 
+// The files of the result: one, or one for each of several levels. Empty if none is written.
+function pathsOf({ reduction }: Command, { output }: Task): string[] {
+  if (output === undefined) return [];
+  const levels = reduction.targetTriangles ?? [];
+  return levels.length < 2 ? [output] : Array.from(levels, (_, i) => levelPath(output, i + 1));
+}
+
 // Refuses before the work what can be refused then.
-function checkFiles({ files, extract }: Command, { input, output, isGrid }: Task): Formats {
+function checkFiles(command: Command, task: Task): Formats {
+  const { files, extract } = command;
+  const { input, output, isGrid } = task;
   const formats: Formats = {};
   const force = files.force === true;
   if (!isGrid) formats.input = inputFormat(input, files.inputFormat);
@@ -32,7 +43,7 @@ function checkFiles({ files, extract }: Command, { input, output, isGrid }: Task
         '`normals`: of the files only .obj and .glb have them',
       );
     }
-    checkTarget(output, force);
+    for (const path of pathsOf(command, task)) checkTarget(path, force);
     // The folder of --out-dir was checked, and may not be there yet.
     if (files.outDir === undefined) checkFolderOf(output);
   }
@@ -53,17 +64,19 @@ async function readMesh(library: KdManifold, path: string, format: FileFormat): 
 
 async function writeResults(
   library: KdManifold,
-  { files, extract }: Command,
-  { output }: Task,
+  { files }: Command,
+  paths: string[],
   format: FileFormat | undefined,
-  mesh: Mesh,
+  meshes: Mesh[],
+  exact: boolean,
   grid: Grid,
 ): Promise<void> {
-  if (output !== undefined && format !== undefined) {
-    const exact = extract.strict === 'embedded';
+  for (const [i, path] of paths.entries()) {
+    const mesh = meshes[i];
+    if (mesh === undefined || format === undefined) continue;
     const bytes = format === 'glb' ? writeGlb(mesh) : library.formatMesh(mesh, format, { exact });
     if (files.outDir !== undefined) makeFolder(files.outDir);
-    await writeAll(output, bytes);
+    await writeAll(path, bytes);
   }
   if (files.saveGrid !== undefined) await writeAll(files.saveGrid, grid.save());
 }
@@ -78,6 +91,23 @@ function stopwatch(): () => number {
   };
 }
 
+// Takes the time of the step before, and shows how far this one is.
+function stepsOf(
+  progress: ProgressLine,
+  lap: () => number,
+  seconds: CliReport['seconds'],
+): StepOptions {
+  let shown: ProgressCallback | undefined;
+  return {
+    onProgress: (fraction, phase) => shown?.(fraction, phase),
+    onStep: (step) => {
+      if (step === 'extract') seconds.build = lap();
+      if (step === 'reduce') seconds.extract = lap();
+      shown = progress.of({ build: 'building', extract: 'extracting', reduce: 'reducing' }[step]);
+    },
+  };
+}
+
 async function work(
   library: KdManifold,
   command: Command,
@@ -89,12 +119,19 @@ async function work(
   const report: CliReport = { seconds: { read: 0 }, peakBytes: 0, warnings: [] };
   const { seconds } = report;
   const lap = stopwatch();
-  let grid: Grid;
+  const steps = stepsOf(progress, lap, seconds);
+  let made: Omit<RawMade, 'grid'> & { grid: Grid };
   let input: MeshInput | undefined;
   progress.show('reading');
   if (formats.input === undefined) {
-    grid = library.loadGrid(await readAll(task.input), task.input);
+    const grid = library.loadGrid(await readAll(task.input), task.input);
     seconds.read = lap();
+    try {
+      made = { ...grid.make(command.extract, command.reduction, steps), grid };
+    } catch (error) {
+      grid.delete();
+      throw error;
+    }
     seconds.build = 0;
   } else {
     const { mesh, warnings } = await readMesh(library, task.input, formats.input);
@@ -107,19 +144,18 @@ async function work(
     }
     if (!converts(command)) return report;
     input = mesh;
-    grid = library.buildGrid(mesh, { ...command.build, onProgress: progress.of('building') });
-    seconds.build = lap();
+    const options = { ...command.build, ...command.extract, ...command.reduction };
+    made = library.make(mesh, options, {}, steps);
   }
+  const { grid, levels, reduce, stats, report: account, ...mesh } = made;
   try {
-    const onProgress = progress.of('extracting');
-    const extraction = grid.extract({ ...command.extract, onProgress });
-    const {
-      report: { warnings, ...extracted },
-      ...mesh
-    } = extraction;
-    seconds.extract = lap();
+    const { warnings, ...extracted } = account;
+    seconds[reduce ? 'reduce' : 'extract'] = lap();
     progress.show('writing');
-    await writeResults(library, command, task, formats.output, mesh, grid);
+    const paths = pathsOf(command, task);
+    const meshes = paths.length > 1 ? levels : [mesh];
+    const embedded = extracted.crossings !== null;
+    await writeResults(library, command, paths, formats.output, meshes, embedded, grid);
     if (task.output !== undefined || files.saveGrid !== undefined) seconds.write = lap();
     progress.show('checking');
     const described = { ...library.describe(mesh), ...extracted };
@@ -127,15 +163,22 @@ async function work(
       ? { selfIntersections: library.findSelfIntersections(mesh).pairs }
       : {};
     const { check = false } = command.report;
-    const { warnings: losses = [], ...account }: Partial<Account> = input
+    const { warnings: losses = [], ...found }: Partial<Account> = input
       ? grid.compare(input, mesh, { error: check })
       : {};
     report.warnings.push(...losses, ...warnings);
     report.result = {
       input: grid.input,
-      grid: grid.stats,
+      grid: stats,
       output: { ...described, ...checked },
-      ...account,
+      ...(reduce && { reduce }),
+      ...(levels.length > 0 && {
+        levels: levels.map(({ indices }, i) => ({
+          triangles: indices.length / 3,
+          file: paths[i] ?? null,
+        })),
+      }),
+      ...found,
     };
     return report;
   } finally {

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Reads the command line's arguments by the tables in ../options.ts and table.ts, as
 // src/cli/options.cpp does, word for word.
-import type { FileFormat } from './formats.js';
+import { standardStream, type FileFormat } from './formats.js';
 import { didYouMean, nearest } from './suggest.js';
 import { fileOptions, reportOptions } from './table.js';
-import { uselessOfBuild, uselessOfExtract } from '../check-combination.js';
+import { uselessOfBuild, uselessOfExtract, uselessReduction } from '../check-combination.js';
+import type { CheckedReduction } from '../check-input.js';
 import { KdManifoldError } from '../errors.js';
 import { namesAGrid } from '../library.js';
 import { isLegal, rangeText, type OptionSpec } from '../option-spec.js';
-import { buildOptions, extractOptions } from '../options.js';
+import { buildOptions, extractOptions, reductionOptions } from '../options.js';
 import type { BuildOptions, ExtractOptions } from '../types.js';
 
 /** Where results go, and what files are. */
@@ -37,6 +38,7 @@ export interface Command {
   report: ReportOptions;
   build: BuildOptions;
   extract: ExtractOptions;
+  reduction: CheckedReduction;
   /** Options that are given: how, by their flags. */
   typed: Map<string, string>;
   /** Print this instead of working. */
@@ -70,7 +72,7 @@ interface Entry {
   flag: string;
   short?: string;
   spec: OptionSpec;
-  set: (value: string | number | boolean) => void;
+  set: (value: string | number | boolean | number[]) => void;
 }
 
 function entriesOf(command: Command): Entry[] {
@@ -86,6 +88,7 @@ function entriesOf(command: Command): Entry[] {
     ...of(reportOptions, command.report),
     ...of(buildOptions, command.build),
     ...of(extractOptions, command.extract),
+    ...of(reductionOptions, command.reduction),
     {
       flag: '--no-strict',
       spec: { flag: '--no-strict', kind: 'boolean', default: false },
@@ -148,7 +151,7 @@ function scan(args: string[], command: Command): void {
   }
 }
 
-function readValue(name: string, spec: OptionSpec, text: string): string | number {
+function readValue(name: string, spec: OptionSpec, text: string): string | number | number[] {
   switch (spec.kind) {
     case 'text':
       if (text === '') usageError(`${name}: the value is empty`);
@@ -169,16 +172,35 @@ function readValue(name: string, spec: OptionSpec, text: string): string | numbe
         `${name}: '${text}' is no ${whole ? 'whole ' : ''}number ${rangeText(spec)}`,
       );
     }
+    case 'numbers':
+      return readNumbers(name, spec.least, text);
     case 'boolean':
       return usageError(`${name}: takes no value`);
   }
 }
 
-// Refuses options of building and extracting that have no effect.
+// Reads whole numbers of which each is smaller than the one before. What is too large for 32 bits limits nothing.
+function readNumbers(name: string, least: number, text: string): number[] {
+  const numbers: number[] = [];
+  for (const part of text.split(',')) {
+    const number = /^\d+$/.test(part) ? Number(part) : NaN;
+    if (!(number >= least)) usageError(`${name}: '${part}' is no whole number from ${least} on`);
+    const index = Math.min(number, 0xffffffff);
+    if (index >= (numbers.at(-1) ?? Infinity)) {
+      usageError(`${name}: '${part}' must be smaller than the number before`);
+    }
+    numbers.push(index);
+  }
+  return numbers;
+}
+
+// Refuses options of building, extracting and reducing that have no effect or exclude each other.
 function checkEffects(command: Command): void {
   const isGiven = (name: string): boolean => command.typed.has(`--${dashed(name)}`);
   const useless =
-    uselessOfBuild(command.build, isGiven) ?? uselessOfExtract(command.extract, isGiven);
+    uselessOfBuild(command.build, isGiven) ??
+    uselessOfExtract(command.extract, isGiven) ??
+    uselessReduction(command.reduction, command.build, command.extract);
   if (useless) usageError(withTypedNames(command, `\`${useless.name}\`: ${useless.when}`));
 }
 
@@ -204,7 +226,14 @@ function checkCombination(command: Command): void {
   if (files.format !== undefined && files.output === undefined && files.outDir === undefined) {
     refuse('--format', 'only with -o or --out-dir');
   }
+  const { reduce, targetTriangles } = command.reduction;
+  if (targetTriangles && reduce === false) {
+    refuse('--target-triangles', `not together with ${asTyped(command, '--no-reduce')}`);
+  }
   checkEffects(command);
+  if (targetTriangles && targetTriangles.length > 1 && files.output === standardStream) {
+    refuse('--target-triangles', 'standard output takes one level, not several');
+  }
   if (report.quiet && report.json) {
     refuse('--quiet', 'not together with --json, which prints a report');
   }
@@ -221,6 +250,7 @@ export function readCommand(args: string[]): Command {
     report: {},
     build: {},
     extract: {},
+    reduction: {},
     typed: new Map(),
   };
   // Whatever else is wrong: who asks for help gets it.

@@ -84,6 +84,14 @@ function checkNames(command: Command, tasks: Task[]): void {
   }
 }
 
+/** Returns the path of a level of the result, from 1 on: `name.1.obj` for `name.obj`. */
+export function levelPath(output: string, level: number): string {
+  const name = output.length - fileName(output).length;
+  const dot = output.lastIndexOf('.');
+  const end = dot <= name ? output.length : dot;
+  return `${output.slice(0, end)}.${level}${output.slice(end)}`;
+}
+
 /**
  * Expands patterns, leaves out what is given twice and names the results. Throws if a pattern fits no file, if the
  * options do not go together with so many inputs or with grids, if two results would have one name, or if --out-dir

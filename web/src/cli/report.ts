@@ -14,8 +14,15 @@ import type {
   MeshDefects,
   MeshError,
   MeshReport,
+  ReduceReport,
   Warning,
 } from '../types.js';
+
+/** One level of detail; null: no file was written. */
+export interface Level {
+  triangles: number;
+  file: string | null;
+}
 
 /** What is known at the end of a run. */
 export interface CliReport {
@@ -26,19 +33,25 @@ export interface CliReport {
     input: InputReport;
     grid: GridStats;
     output: MeshReport & ExtractReport & { selfIntersections?: number };
+    /** Unless nothing was reduced. */
+    reduce?: ReduceReport;
+    /** With --target-triangles. */
+    levels?: Level[];
     /** Unless the input is a grid; the error with --check only. */
     lost?: LostArea;
     error?: MeshError | null;
   };
-  seconds: { read: number; analyze?: number; build?: number; extract?: number; write?: number };
+  seconds: { read: number } & Partial<
+    Record<'analyze' | 'build' | 'extract' | 'reduce' | 'write', number>
+  >;
   peakBytes: number;
   /** Of the file, then of the result. */
   warnings: Warning[];
 }
 
 /**
- * Returns `input`, with --stats `defects`, then `grid`, `output` (with --check also its `selfIntersections`),
- * `warnings`, with --check `check`, then `seconds` and `peakBytes`. With --stats alone there is neither `grid` nor `output`.
+ * Returns `input`, with --stats `defects`, then `grid`, `output` (with --check also its `selfIntersections`), if anything
+ * was reduced `reduce`, with --target-triangles `levels`, `warnings`, with --check `check`, then `seconds` and `peakBytes`. With --stats alone there is neither `grid` nor `output`.
  */
 export function reportAsJson(report: CliReport, command: Command): object {
   const { defects, result, seconds } = report;
@@ -53,6 +66,8 @@ export function reportAsJson(report: CliReport, command: Command): object {
       ...pick(result.output, outputKeys),
       selfIntersections: result.output.selfIntersections,
     },
+    reduce: result?.reduce,
+    levels: result?.levels,
     lost: result?.lost && { ...result.lost, faces: result.lost.faces.length },
     error: result?.error ?? undefined,
     warnings: report.warnings,
@@ -62,6 +77,7 @@ export function reportAsJson(report: CliReport, command: Command): object {
       analyze: seconds.analyze,
       build: seconds.build,
       extract: seconds.extract,
+      reduce: seconds.reduce,
       write: seconds.write,
     },
     peakBytes: report.peakBytes,
@@ -157,6 +173,17 @@ function repairLines({ input, grid, output }: NonNullable<CliReport['result']>):
   return lines;
 }
 
+// Says how many triangles there were, and how many there are in each level.
+function reductionLines({ reduce, levels = [] }: NonNullable<CliReport['result']>): string[] {
+  const lines = levels.map(
+    ({ file, triangles }) => `level    ${file === null ? '' : `${file}: `}${triangles} triangles`,
+  );
+  if (reduce) {
+    lines.unshift(`reduced  from ${reduce.trianglesBefore} triangles to ${reduce.triangles}`);
+  }
+  return lines;
+}
+
 // Writes a number in full with three digits that count. The native program gets the same.
 function threeDigits(value: number): string {
   let decimals = 0;
@@ -213,8 +240,9 @@ function resultLines(
   command: Command,
   task: Task,
 ): string[] {
-  const path = task.output === standardStream ? 'standard output' : task.output;
-  const { grid, output } = result;
+  const { grid, output, levels = [] } = result;
+  const file = levels.length > 1 ? (levels.at(-1)?.file ?? undefined) : task.output;
+  const path = file === standardStream ? 'standard output' : file;
   const faces =
     output.quads === 0
       ? `${output.triangles} triangles`
@@ -227,7 +255,7 @@ function resultLines(
       `Euler characteristic ${output.eulerCharacteristic}, ` +
       kindText(output, grid.sheet),
   ];
-  lines.push(...repairLines(result), ...accountLines(result));
+  lines.push(...reductionLines(result), ...repairLines(result), ...accountLines(result));
   if (command.report.check) {
     lines.push(
       passesCheck(output, grid.sheet)
@@ -243,7 +271,7 @@ function resultLines(
 }
 
 function secondsLine(seconds: CliReport['seconds']): string {
-  const steps = ['read', 'analyze', 'build', 'extract', 'write'] as const;
+  const steps = ['read', 'analyze', 'build', 'extract', 'reduce', 'write'] as const;
   const taken = steps
     .filter((step) => seconds[step] !== undefined)
     .map((step) => `${step} ${seconds[step]?.toFixed(3)}`);

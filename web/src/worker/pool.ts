@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: MIT
 // The workers, and the line of conversions before them. Each worker does one at a time; how many work at
 // a time is `concurrency`; all others wait in line.
-import { convert, type Order } from '../convert.js';
+import { fulfil, type Order, type Outcome } from '../convert.js';
 import { textOf } from '../environment.js';
 import { aborted, KdManifoldError } from '../errors.js';
 import { loadMain, unload } from '../load.js';
 import type { Source } from '../load-options.js';
 import type { Signal } from '../outside-types.js';
-import type { Conversion, ProgressCallback } from '../types.js';
+import type { Conversion, ProgressCallback, Simplification } from '../types.js';
 import { converse } from './converse.js';
 import type { WorkerPort } from './protocol.js';
 import { start } from './start.js';
 
 /** One conversion. Nobody else holds the arrays of its mesh. */
-export interface Job extends Order {
+export interface Job {
+  order: Order;
   transfer: ArrayBuffer[];
   source: Source;
   signal: Signal | undefined;
@@ -23,7 +24,7 @@ export interface Job extends Order {
 /** A job that somebody waits for. */
 interface Task {
   job: Job;
-  resolve: (conversion: Conversion) => void;
+  resolve: (outcome: Outcome) => void;
   reject: (reason: unknown) => void;
   /** Whether nobody waits any more. */
   settled: boolean;
@@ -50,7 +51,9 @@ let ends: Promise<void>[] = [];
 let warned = false;
 
 /** Runs the job as soon as its turn has come. When its signal aborts, it stops waiting or working. */
-export function submit(job: Job): Promise<Conversion> {
+export function submit(job: Job & { order: { type: 'convert' } }): Promise<Conversion>;
+export function submit(job: Job & { order: { type: 'simplify' } }): Promise<Simplification>;
+export function submit(job: Job): Promise<Outcome> {
   return new Promise((resolve, reject) => {
     const settle =
       <T>(act: (value: T) => void) =>
@@ -132,10 +135,10 @@ async function performInWorker(task: Task, seat: Seat, port: WorkerPort): Promis
   const talk = converse(port, task.job);
   task.stop = talk.stop;
   try {
-    const conversion = await talk.outcome;
-    if (conversion.report.peakBytes > keptHeapBytes) end(port);
+    const outcome = await talk.outcome;
+    if (outcome.report.peakBytes > keptHeapBytes) end(port);
     else keep(seat);
-    task.resolve(conversion);
+    task.resolve(outcome);
   } catch (error) {
     if (talk.fit()) keep(seat);
     else end(port);
@@ -145,9 +148,9 @@ async function performInWorker(task: Task, seat: Seat, port: WorkerPort): Promis
   }
 }
 
-async function performHere(job: Job): Promise<Conversion> {
+async function performHere(job: Job): Promise<Outcome> {
   const library = await loadMain(job.source);
-  return convert(library, job, (fraction, phase) => {
+  return fulfil(library, job.order, (fraction, phase) => {
     if (job.signal?.aborted) return false;
     return job.onProgress?.(fraction, phase);
   });

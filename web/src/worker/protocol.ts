@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: MIT
 // What the two ends of the worker say to each other.
-import type { Order } from '../convert.js';
+import type { Order, Outcome } from '../convert.js';
 import type { ErrorCode } from '../errors.js';
-import type { Conversion } from '../types.js';
 
 /** To the worker: the compiled module once, then one conversion after the other. */
 export type Request =
-  { type: 'start'; module: WebAssembly.Module } | { type: 'convert'; order: Order };
+  { type: 'start'; module: WebAssembly.Module } | { type: 'order'; order: Order };
 
 /** From the worker: one `ready`, then for each conversion `progress`, and `done` or `failed`. */
 export type Reply =
   | { type: 'ready' }
   | { type: 'progress'; fraction: number; phase: string }
-  | { type: 'done'; conversion: Conversion }
+  | { type: 'done'; outcome: Outcome }
   | { type: 'failed'; code: ErrorCode; message: string };
 
 /** A worker of either kind, as the caller's end sees it. */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The worker's end of the protocol: a module worker in browsers, a worker thread in Node. This file
 // becomes kdmanifold-worker.js, in one piece, which needs no other file of the package.
-import { buffersOf, convert } from '../convert.js';
+import { buffersOf, fulfil } from '../convert.js';
 import { isNode, nodeModule } from '../environment.js';
 import { KdManifoldError } from '../errors.js';
 import { instantiate } from '../instantiate.js';
@@ -30,14 +30,14 @@ function serve(post: Post): (request: Request) => Promise<void> {
         return;
       }
       let reported = 0;
-      const conversion = convert(library as KdManifold, request.order, (fraction, phase) => {
+      const outcome = fulfil(library as KdManifold, request.order, (fraction, phase) => {
         const now = performance.now();
         if (now - reported < progressInterval && fraction < 1) return;
         reported = now;
         post({ type: 'progress', fraction, phase });
       });
-      conversion.report.thread = 'worker';
-      post({ type: 'done', conversion }, buffersOf(conversion.mesh));
+      outcome.report.thread = 'worker';
+      post({ type: 'done', outcome }, buffersOf(outcome.mesh, ...outcome.levels));
     } catch (error) {
       const known = error instanceof KdManifoldError;
       post({

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// What all calls that work in a worker are told, and the copies of a mesh that a worker may have.
+import { checkMesh, type CheckedMesh } from './check-input.js';
+import { buffersOf } from './convert.js';
+import { aborted, KdManifoldError } from './errors.js';
+import { checkSource, sourceKeys, type LoadOptions, type WorkerOptions } from './load-options.js';
+import type { Signal } from './outside-types.js';
+import type { MeshInput, ProgressOptions } from './types.js';
+import type { Job } from './worker/pool.js';
+
+/** Where to work, how to be told and stopped. */
+export interface JobOptions extends ProgressOptions, LoadOptions, WorkerOptions {
+  /**
+   * Stops the work, which then rejects with the reason that the signal was given; where it was given none, with
+   * `ABORTED`.
+   */
+  signal?: Signal;
+  /** Hand the mesh's arrays over instead of copying them; they are empty afterwards. */
+  transfer?: boolean;
+}
+
+/** @internal The names of these options. */
+export const jobKeys = ['onProgress', 'signal', 'transfer', ...sourceKeys];
+
+/** @internal Refuses an option. */
+export function refuse(name: string, expected: string): never {
+  throw new KdManifoldError('INVALID_OPTION', `${name}: expected ${expected}`);
+}
+
+/** @internal Checks these options and the mesh, and returns the job, still without its order, and the mesh for it. */
+export function jobOf(
+  mesh: MeshInput,
+  options: JobOptions,
+): Omit<Job, 'order'> & { mesh: MeshInput } {
+  const { onProgress, signal, transfer = false } = options;
+  const source = checkSource(options);
+  if (typeof transfer !== 'boolean') refuse('transfer', 'true or false');
+  if (onProgress !== undefined && typeof onProgress !== 'function') {
+    refuse('onProgress', 'a function');
+  }
+  if (signal !== undefined && typeof signal?.addEventListener !== 'function') {
+    refuse('signal', 'an AbortSignal');
+  }
+  if (signal?.aborted) throw aborted(signal);
+  const input = separate(checkMesh(mesh), transfer);
+  return { mesh: input, transfer: buffersOf(input), source, signal, onProgress };
+}
+
+// Makes arrays that the worker may have: copies, so that the caller may go on changing the originals,
+// or, with `transfer`, the originals. Of a large buffer only the part in view is sent.
+function separate(mesh: CheckedMesh, transfer: boolean): MeshInput {
+  const copy = <T extends CheckedMesh['positions'] | NonNullable<CheckedMesh['indices']>>(
+    array: T,
+  ): T => {
+    const whole = array.byteLength === array.buffer.byteLength && isTransferable(array.buffer);
+    return transfer && whole ? array : (array.slice() as T);
+  };
+  return {
+    positions: copy(mesh.positions),
+    indices: mesh.indices ? copy(mesh.indices) : null,
+    sourceFaces: mesh.sourceFaces ? copy(mesh.sourceFaces) : null,
+  };
+}
+
+function isTransferable(buffer: ArrayBufferLike): boolean {
+  return typeof SharedArrayBuffer !== 'function' || !(buffer instanceof SharedArrayBuffer);
+}
