@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The tables of numbers below the views.
-import type { InputReport, MeshError, Report } from 'kdmanifold';
+import type { InputReport, MeshError, ReduceReport, Report } from 'kdmanifold';
 import { element } from './element';
 
 const number = new Intl.NumberFormat('en');
@@ -9,11 +9,12 @@ const decimal = new Intl.NumberFormat('en', { maximumSignificantDigits: 3 });
 
 /** All there is to be counted about a conversion. */
 export function showFacts(report: Report): void {
-  const { input, grid, output, seconds, lost, error } = report;
+  const { input, grid, output, reduce, seconds, lost, error } = report;
   fillTable('input-facts', inputFacts(input));
   fillTable('output-facts', [
     ['Vertices', number.format(output.vertices)],
     ['Triangles', number.format(output.triangles)],
+    ...(reduce === null ? [] : beforeReduction(reduce)),
     ['Quads', number.format(output.quads)],
     ['Parts', number.format(output.components)],
     ['Euler characteristic', number.format(output.eulerCharacteristic)],
@@ -30,6 +31,7 @@ export function showFacts(report: Report): void {
   fillTable('grid-facts', [
     ['Build', `${decimal.format(seconds.build)} s`],
     ['Extract', `${decimal.format(seconds.extract)} s`],
+    ['Reduce', reduce === null ? 'not done' : `${decimal.format(seconds.reduce)} s`],
     ['Leaves', number.format(grid.leaves)],
     ['Hits', number.format(grid.hits)],
     ['Depth reached', number.format(grid.depth)],
@@ -38,6 +40,10 @@ export function showFacts(report: Report): void {
     ['Heap', `${decimal.format(report.peakBytes / 2 ** 20)} MB`],
   ]);
 }
+
+const beforeReduction = ({ trianglesBefore }: ReduceReport): [string, string][] => [
+  ['Triangles before reduction', number.format(trianglesBefore)],
+];
 
 // How far the two are apart, in model units.
 const distances = ({ toInput, toOutput }: MeshError): [string, string][] => [
