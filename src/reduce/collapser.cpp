@@ -88,9 +88,11 @@ void Collapser::push(SideId edge, Place place) {
   const ErrorQuadric sum = quadric_of(edge);
   const double error = sum.error(point_of(edge, place) - centre_);
   // Where the planes are much further off than allowed on average, the surface is too.
-  if (piece_.distance &&
-      error > kHopeless * piece_.distance->error * piece_.distance->error * sum.weight())
-    return;
+  if (piece_.distance) {
+    const std::vector<double>& limits = piece_.distance->limits;
+    const double limit = std::min(limits[piece_.mesh.start(edge)], limits[piece_.mesh.end(edge)]);
+    if (error > kHopeless * limit * limit * sum.weight()) return;
+  }
   const Vec3 along =
       piece_.positions[piece_.mesh.end(edge)] - piece_.positions[piece_.mesh.start(edge)];
   const double cost = error + kLengthWeight * sum.weight() * along.squaredNorm();
@@ -177,8 +179,12 @@ Collapser::Verdict Collapser::try_step(SideId edge, Place place) {
 }
 
 void Collapser::step(SideId edge) {
-  if (piece_.distance) piece_.distance->samples.move(ring_);
   const VertexId v = ring_.kept;
+  if (piece_.distance) {
+    piece_.distance->samples.move(ring_);
+    std::vector<double>& limits = piece_.distance->limits;
+    limits[v] = std::min(limits[v], limits[ring_.removed]);
+  }
   piece_.mesh.collapse(edge);
   piece_.positions[v] = ring_.point;
   quadric_[v] += quadric_[ring_.removed];

@@ -2,6 +2,7 @@
 // Goes over all edges until nothing changes any more, a few times at most.
 #include "reduce/flips.h"
 
+#include <algorithm>
 #include <array>
 
 #include "reduce/near_test.h"
@@ -56,8 +57,9 @@ class Flipper {
     const std::array<Triangle, 2> triangles = {Triangle{a, d, c}, Triangle{b, c, d}};
     if (!keeps_shape(triangles) || !edge_stays_near(piece_, c, d)) return false;
     Samples& samples = piece_.distance->samples;
+    const std::vector<double>& limits = piece_.distance->limits;
     if (!samples.fit(places, {corners(triangles[0]), corners(triangles[1])},
-                     piece_.distance->error)) {
+                     std::min({limits[a], limits[b], limits[c], limits[d]}))) {
       return false;
     }
     if (piece_.guard.would_meet(places, triangles)) return false;

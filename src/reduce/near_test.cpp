@@ -13,13 +13,14 @@ namespace {
 constexpr double kSpacing = 4;
 constexpr int kMostPieces = 32;
 
-bool points_are_near(const KeptDistance& kept, const Vec3& from, const Vec3& to, TriangleId hint) {
+bool points_are_near(const KeptDistance& kept, const Vec3& from, const Vec3& to, double limit,
+                     TriangleId hint) {
   const double length = (to - from).norm();
-  const int pieces =
-      std::clamp(static_cast<int>(length / (kSpacing * kept.error)) + 1, 2, kMostPieces);
+  const double spacing = kSpacing * kept.error;
+  const int pieces = std::clamp(static_cast<int>(length / spacing) + 1, 2, kMostPieces);
   for (int i = 1; i < pieces; ++i) {
     const Vec3 point = from + (static_cast<double>(i) / pieces) * (to - from);
-    if (!kept.reference->is_near(point, kept.error, hint)) return false;
+    if (!kept.reference->is_near(point, limit, hint)) return false;
   }
   return true;
 }
@@ -28,13 +29,14 @@ bool points_are_near(const KeptDistance& kept, const Vec3& from, const Vec3& to,
 
 bool stays_near(Workpiece& piece, const Ring& ring) {
   KeptDistance& kept = *piece.distance;
-  if (!kept.samples.fit(ring, kept.error)) return false;
+  const double limit = std::min(kept.limits[ring.kept], kept.limits[ring.removed]);
+  if (!kept.samples.fit(ring, limit)) return false;
   TriangleId& near = piece.near[ring.kept];
-  if (!kept.reference->is_near(ring.point, kept.error, near)) return false;
+  if (!kept.reference->is_near(ring.point, limit, near)) return false;
   for (std::size_t i = 0; i < ring.triangles.size(); ++i) {
     const RingTriangle& t = ring.triangles[i];
     const TriangleId hint = kept.samples.hint(i);
-    if (!points_are_near(kept, ring.point, t.from_point,
+    if (!points_are_near(kept, ring.point, t.from_point, limit,
                          hint != kNone ? hint : piece.near[t.from])) {
       return false;
     }
@@ -43,8 +45,9 @@ bool stays_near(Workpiece& piece, const Ring& ring) {
 }
 
 bool edge_stays_near(const Workpiece& piece, VertexId from, VertexId to) {
-  return points_are_near(*piece.distance, piece.positions[from], piece.positions[to],
-                         piece.near[from]);
+  const KeptDistance& kept = *piece.distance;
+  return points_are_near(kept, piece.positions[from], piece.positions[to],
+                         std::min(kept.limits[from], kept.limits[to]), piece.near[from]);
 }
 
 }  // namespace kdm

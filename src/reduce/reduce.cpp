@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "kdmanifold/error.h"
+#include "kdmanifold/options.h"
 #include "mesh/boxes.h"
 #include "mesh/check_indices.h"
 #include "mesh/check_positions.h"
@@ -17,6 +18,7 @@
 #include "reduce/carry_over.h"
 #include "reduce/collapser.h"
 #include "reduce/flips.h"
+#include "reduce/local_limits.h"
 #include "reduce/scaled_mesh.h"
 #include "text/compose.h"
 
@@ -106,25 +108,6 @@ Mesh mesh_of(const Workpiece& piece, int exponent) {
   return out;
 }
 
-void check_options(const ReduceOptions& options) {
-  if (!(options.error >= 0) || std::isinf(options.error)) {
-    throw Error(ErrorCode::kInvalidOption,
-                compose("error is {}; it must be a finite number from 0 on", options.error));
-  }
-  const std::vector<Index>& targets = options.target_triangles;
-  if (options.error == 0 && targets.empty()) {
-    throw Error(ErrorCode::kInvalidOption,
-                "neither error nor target_triangles says how far to reduce");
-  }
-  for (std::size_t i = 1; i < targets.size(); ++i) {
-    if (targets[i] < targets[i - 1]) continue;
-    throw Error(ErrorCode::kInvalidOption,
-                compose("target_triangles has {} after {}; each number must be smaller than the "
-                        "one before",
-                        targets[i], targets[i - 1]));
-  }
-}
-
 // Throws if the arrays of a mesh do not fit together.
 void check_mesh(const Mesh& mesh) {
   check_indices(mesh);
@@ -162,6 +145,7 @@ ReducedMesh reduce(const Mesh& mesh, const Mesh& reference, const ReduceOptions&
     distance.emplace(KeptDistance{&*kept,
                                   samples_of(from, surface, to, *kept, error),
                                   error,
+                                  local_limits(from, surface, *kept, error),
                                   {*kept, kCreaseReach * diagonal_of(to.positions)}});
   }
   Workpiece piece(std::move(half_edges), from.positions, std::move(distance));

@@ -17,7 +17,8 @@ namespace kdm {
 struct KeptDistance {
   const Reference* reference;  ///< must outlive this
   Samples samples;             ///< points of the reference and of the mesh
-  double error;                ///< the largest distance
+  double error;                ///< the largest distance anywhere
+  std::vector<double> limits;  ///< per vertex: the largest distance round it (see local_limits.h)
   TrueCreases creases;         ///< of the reference
 };
 

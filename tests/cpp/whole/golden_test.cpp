@@ -77,8 +77,9 @@ Enum pick(const json& entry, const char* key, const std::map<std::string, Enum>&
 Mesh reduced_result_of(const json& entry) {
   const Mesh input = read_mesh((kTests / "data" / entry.at("input").get<std::string>()).string());
   return make_manifold(
-      input, {.build = {.relative_tolerance = entry.at("relativeTolerance")},
-              .reduction = {.target_triangles = entry.at("targetTriangles").get<std::vector<Index>>()}});
+      input,
+      {.build = {.relative_tolerance = entry.at("relativeTolerance")},
+       .reduction = {.target_triangles = entry.at("targetTriangles").get<std::vector<Index>>()}});
 }
 
 Mesh result_of(const json& entry) {

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "reduce/local_limits.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "kdmanifold/reduce.h"
+#include "support/mesh_check.h"
+#include "support/shapes.h"
+
+namespace kdm {
+namespace {
+
+std::vector<double> limits_of(const Mesh& mesh, double error) {
+  const ScaledMesh scaled = scaled_mesh(mesh, 0);
+  const Reference surface(scaled.all_corners());
+  return local_limits(scaled, surface, surface, error);
+}
+
+TEST(LocalLimits, AreAnEighthOfAThinWall) {
+  const Mesh plate =
+      shapes::subdivided(shapes::subdivided(shapes::box(Vec3(0, 0, 0), Vec3(1, 1, 0.02))));
+  const std::vector<double> limits = limits_of(plate, 0.01);
+  for (std::size_t v = 0; v < plate.positions.size(); ++v) {
+    const Vec3& p = plate.positions[v];
+    const bool inside = p.x() > 0.1 && p.x() < 0.9 && p.y() > 0.1 && p.y() < 0.9;
+    if (!inside) continue;
+    EXPECT_NEAR(limits[v], 0.02 / 8, 1e-6);
+  }
+}
+
+TEST(LocalLimits, AreTheErrorWhereNothingIsThin) {
+  for (const Mesh& mesh : {shapes::cube(), shapes::icosphere(3)}) {
+    for (const double limit : limits_of(mesh, 0.01)) EXPECT_EQ(limit, 0.01);
+  }
+  // Gaps are not walls.
+  const Mesh cubes = shapes::merged(
+      {shapes::box(Vec3(0, 0, 0), Vec3(1, 1, 1)), shapes::box(Vec3(1.01, 0, 0), Vec3(2, 1, 1))});
+  for (const double limit : limits_of(cubes, 0.01)) EXPECT_EQ(limit, 0.01);
+}
+
+// A bowl whose wall is a fifth of the error must not become a film or a lump.
+TEST(LocalLimits, KeepThinWallsFromVanishing) {
+  const Mesh shell =
+      shapes::merged({shapes::icosphere(4, 1), shapes::inverted(shapes::icosphere(4, 0.99))});
+  const double volume = check::check_mesh(shell).volume;
+  const ReducedMesh few = reduce(shell, shell, {.error = 0.05});
+  EXPECT_NEAR(check::check_mesh(few).volume, volume, 0.25 * volume);
+  EXPECT_LT(few.triangles.size(), shell.triangles.size());
+}
+
+}  // namespace
+}  // namespace kdm
