@@ -71,6 +71,14 @@ double whole_tolerance(const GridStats& grid) {
   return tolerance < kWider * grid.asked_tolerance ? grid.asked_tolerance : tolerance;
 }
 
+// How far a result may be from the grid's own surface: what the grid left of the tolerance, or as
+// much as the grid itself took if that is little.
+double left_tolerance(const GridStats& grid) {
+  constexpr double kLittle = 0.1;
+  const double left = grid.asked_tolerance - grid.tolerance;
+  return left > kLittle * grid.tolerance ? left : grid.tolerance;
+}
+
 }  // namespace
 
 MadeManifold make_manifold_in_steps(const Mesh& mesh, const MakeOptions& options,
@@ -88,10 +96,11 @@ MadeManifold make_manifold_in_steps(const Mesh& mesh, const MakeOptions& options
   const GridStats& stats = out.grid.stats();
   const bool off_input = options.build.thicken > 0;
   const Mesh own = off_input ? static_cast<const Mesh&>(made) : Mesh();
-  reduce_step(off_input ? own : mesh,
-              {.error = off_input ? stats.tolerance : whole_tolerance(stats),
-               .target_triangles = options.reduction.target_triangles},
-              progress, made);
+  reduce_step(
+      off_input ? own : mesh,
+      {.error = off_input ? whole_tolerance(stats) - stats.tolerance : whole_tolerance(stats),
+       .target_triangles = options.reduction.target_triangles},
+      progress, made);
   state_tolerance(out.grid.input(), whole_tolerance(stats), made);
   return out;
 }
@@ -121,7 +130,8 @@ MadeMesh make_from_grid(const Grid& grid, const ExtractOptions& extract,
   }
   return extract_reduced(
       grid, extract,
-      {.error = grid.stats().tolerance, .target_triangles = reduction.target_triangles}, progress);
+      {.error = left_tolerance(grid.stats()), .target_triangles = reduction.target_triangles},
+      progress);
 }
 
 MadeMesh extract_reduced(const Grid& grid, const ExtractOptions& extract,

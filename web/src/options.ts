@@ -140,8 +140,8 @@ export interface ExtractOptions {
 /** How a mesh gets fewer triangles. */
 export interface ReductionOptions {
   /**
-   * Collapse edges as long as the result stays within the tolerance. The grid is then built at half
-   * of the tolerance, and the result is embedded whatever `strict` says. Left out where `quads`,
+   * Collapse edges as long as the result stays within the tolerance. The grid is then built at 0.8
+   * times the tolerance, and the result is embedded whatever `strict` says. Left out where `quads`,
    * `strict` off, a `strategy` without tolerance or a tolerance of 0 excludes it; asked for beside
    * one of these, it is refused. Default true.
    */

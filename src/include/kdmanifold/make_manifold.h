@@ -15,7 +15,7 @@ namespace kdm {
 
 /// Whether a result is reduced, and how far. `options.h` describes the same members for programs.
 struct ReductionOptions {
-  /// Builds at half of the tolerance, extracts an embedded surface and collapses edges of it, as
+  /// Builds at 0.8 times the tolerance, extracts an embedded surface and collapses edges of it, as
   /// long as the result stays within the tolerance of the input (see `reduce`). False: the result
   /// is the grid's own surface, built at the full tolerance. Not set: true unless `quads`, `strict`
   /// off, a strategy without tolerance or a tolerance of 0 speaks against it. True beside one of

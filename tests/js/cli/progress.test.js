@@ -30,7 +30,15 @@ test.each(shellCommands)(
       expect(lines[0]).toBe('');
       expect(lines.at(-1)).toBe('');
       const steps = [...new Set(lines.map((line) => line.split(' ')[0]))];
-      expect(steps).toEqual(['', 'reading', 'building', 'extracting', 'writing', 'checking']);
+      expect(steps).toEqual([
+        '',
+        'reading',
+        'building',
+        'extracting',
+        'reducing',
+        'writing',
+        'checking',
+      ]);
       expect(lines).toContain('building 0 %, prepare');
       expect(lines).toContain('extracting 100 %, faces');
     }),
