@@ -50,7 +50,7 @@ TEST_F(Files, SignalsLeaveNothing) {
   for (const int number : {SIGTERM, SIGINT, SIGHUP}) {
     const std::string bytes(std::size_t{1} << 28, 'x');
     int status = 0;
-    for (int attempt = 0; attempt < 5; ++attempt) {  // should it all be written too soon
+    for (int attempt = 0; attempt < 50; ++attempt) {  // should it all be written too soon
       const pid_t child = ::fork();
       ASSERT_GE(child, 0);
       if (child == 0) {
