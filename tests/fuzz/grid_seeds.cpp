@@ -26,11 +26,13 @@ std::vector<Bytes> grid_seeds() {
        {SplitStrategy::kAdaptive, SplitStrategy::kUniform, SplitStrategy::kMedian}) {
     for (const Mesh& mesh : {shapes::open(shapes::cubes_at_edge(), 5), shapes::moebius_band(12),
                              shapes::merged({shapes::grid_sheet(2, 2, wave), shapes::cube()})}) {
-      add({.strategy = strategy,
-           .relative_tolerance = 0.1,
-           .depth = strategy == SplitStrategy::kAdaptive ? 0 : 5,
-           .inside = InsideRule::kSheet},
-          mesh);
+      BuildOptions options{.strategy = strategy, .inside = InsideRule::kSheet};
+      if (strategy == SplitStrategy::kAdaptive) {
+        options.relative_tolerance = 0.1;
+      } else {
+        options.depth = 5;
+      }
+      add(options, mesh);
     }
   }
   // What is repaired, with rims and a winding threshold.

@@ -114,7 +114,13 @@ void build_from_bytes(const std::uint8_t* bytes, std::size_t size) {
   options.inside = static_cast<InsideRule>(bytes[0] / 5 % 5);
   options.pairing = static_cast<Pairing>(bytes[0] / 25 % 4);
   options.depth = 1 + bytes[1] % (options.strategy == SplitStrategy::kMedian ? 60 : 12);
-  options.relative_tolerance = bytes[3] / 1024.0;
+  // Options without effect beside others are refused.
+  const bool counts =
+      options.strategy == SplitStrategy::kMedian || options.strategy == SplitStrategy::kUniform;
+  if (!counts) options.relative_tolerance = bytes[3] / 1024.0;
+  if (options.inside == InsideRule::kSheet && options.pairing >= Pairing::kInside) {
+    options.pairing = Pairing::kHermite;
+  }
   const ExtractOptions extraction{.quads = (bytes[2] & 1) != 0,
                                   .split_error = bytes[2] / 2 / 1024.0};
   const bool sheet = options.inside == InsideRule::kSheet;
