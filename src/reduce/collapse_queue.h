@@ -10,7 +10,7 @@
 namespace kdm {
 
 /// Where the vertex goes that an edge becomes.
-enum class Place : std::uint8_t {
+enum class CollapsePlace : std::uint8_t {
   kBest,   ///< where the error is least
   kStart,  ///< to the start of the edge's half-edge
   kEnd,    ///< to its end
@@ -22,7 +22,7 @@ struct Candidate {
   float cost;
   SideId edge;    ///< the half-edge by which the edge is known
   Index version;  ///< of the edge, when the cost was found
-  Place place;
+  CollapsePlace place;
 };
 
 /// The candidates, the cheapest first; of equal ones the lower edge, then the earlier place.

@@ -61,13 +61,13 @@ void Collapser::add_quadrics() {
   }
 }
 
-Vec3 Collapser::point_of(SideId edge, Place place) const {
+Vec3 Collapser::point_of(SideId edge, CollapsePlace place) const {
   const Vec3& start = piece_.positions[piece_.mesh.start(edge)];
   const Vec3& end = piece_.positions[piece_.mesh.end(edge)];
-  if (place == Place::kStart) return start;
-  if (place == Place::kEnd) return end;
+  if (place == CollapsePlace::kStart) return start;
+  if (place == CollapsePlace::kEnd) return end;
   const Vec3 middle = 0.5 * (start + end);
-  if (place == Place::kMiddle) return rounded_to_single(middle);
+  if (place == CollapsePlace::kMiddle) return rounded_to_single(middle);
   // An end that is as good stays where it is: so corners and edges of flat parts stay exact.
   const ErrorQuadric sum = quadric_of(edge);
   const Vec3 best = sum.minimiser(middle - centre_);
@@ -84,7 +84,7 @@ ErrorQuadric Collapser::quadric_of(SideId edge) const {
   return sum;
 }
 
-void Collapser::push(SideId edge, Place place) {
+void Collapser::push(SideId edge, CollapsePlace place) {
   const ErrorQuadric sum = quadric_of(edge);
   const double error = sum.error(point_of(edge, place) - centre_);
   // Where the planes are much further off than allowed on average, the surface is too.
@@ -104,7 +104,8 @@ void Collapser::consider(SideId edge) {
   const bool start_stays = piece_.mesh.on_boundary(piece_.mesh.start(edge));
   const bool end_stays = piece_.mesh.on_boundary(piece_.mesh.end(edge));
   if (start_stays && end_stays) return;
-  push(edge, start_stays ? Place::kStart : (end_stays ? Place::kEnd : Place::kBest));
+  push(edge, start_stays ? CollapsePlace::kStart
+                         : (end_stays ? CollapsePlace::kEnd : CollapsePlace::kBest));
 }
 
 bool Collapser::meets_link_condition(SideId edge) {
@@ -167,7 +168,7 @@ bool Collapser::keeps_shape() const {
   return worst >= kLeastShape || worst >= worst_before;
 }
 
-Collapser::Verdict Collapser::try_step(SideId edge, Place place) {
+Collapser::Verdict Collapser::try_step(SideId edge, CollapsePlace place) {
   if (!meets_link_condition(edge)) return Verdict::kNever;
   make_ring(edge, point_of(edge, place));
   if (!keeps_shape()) return Verdict::kNoPlace;
@@ -219,10 +220,10 @@ void Collapser::collapse_to(Index triangles, const std::function<void()>& betwee
     const Verdict verdict = try_step(edge, next.place);
     if (verdict == Verdict::kDone) continue;
     failed_.set(edge);
-    if (verdict == Verdict::kNever || next.place != Place::kBest) continue;
-    push(edge, Place::kStart);
-    push(edge, Place::kEnd);
-    push(edge, Place::kMiddle);
+    if (verdict == Verdict::kNever || next.place != CollapsePlace::kBest) continue;
+    push(edge, CollapsePlace::kStart);
+    push(edge, CollapsePlace::kEnd);
+    push(edge, CollapsePlace::kMiddle);
   }
 }
 

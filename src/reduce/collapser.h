@@ -31,10 +31,10 @@ class Collapser {
 
   void add_quadrics();
   void consider(SideId edge);
-  void push(SideId edge, Place place);
-  Vec3 point_of(SideId edge, Place place) const;
+  void push(SideId edge, CollapsePlace place);
+  Vec3 point_of(SideId edge, CollapsePlace place) const;
   ErrorQuadric quadric_of(SideId edge) const;
-  Verdict try_step(SideId edge, Place place);
+  Verdict try_step(SideId edge, CollapsePlace place);
   bool meets_link_condition(SideId edge);
   void make_ring(SideId edge, const Vec3& point);
   bool keeps_shape() const;
@@ -49,7 +49,7 @@ class Collapser {
   Marks failed_;                // per half-edge: no place for its vertex was found
   std::vector<Index> seen_;     // per vertex: the last stamp it got
   Index stamp_ = 0;
-  Ring ring_;
+  CollapseRing ring_;
   Index collapses_ = 0;
 };
 

@@ -83,7 +83,7 @@ bool CrossingGuard::planned_meet(bool simple_inside) {
 }
 
 // Looks at the triangles round the new vertex.
-bool CrossingGuard::is_simple(const Ring& ring) {
+bool CrossingGuard::is_simple(const CollapseRing& ring) {
   if (mesh_.on_boundary(ring.kept) || mesh_.on_boundary(ring.removed)) return false;
   sides_.clear();
   for (const RingTriangle& t : ring.triangles) {
@@ -93,7 +93,7 @@ bool CrossingGuard::is_simple(const Ring& ring) {
 }
 
 // Looks at the triangles round a vertex of the ring as they would be.
-bool CrossingGuard::is_simple(const Ring& ring, VertexId v) {
+bool CrossingGuard::is_simple(const CollapseRing& ring, VertexId v) {
   if (mesh_.on_boundary(v)) return false;
   sides_.clear();
   const Vec3& apex = positions_[v];
@@ -108,7 +108,7 @@ bool CrossingGuard::is_simple(const Ring& ring, VertexId v) {
   return is_simple_fan(sides_);
 }
 
-bool CrossingGuard::would_meet(const Ring& ring) {
+bool CrossingGuard::would_meet(const CollapseRing& ring) {
   planned_.clear();
   for (const RingTriangle& t : ring.triangles) {
     plan(numbers_of(ring, t), corners_of(ring, t));
@@ -144,7 +144,7 @@ void CrossingGuard::changed(TriangleId t) {
   tree_.change(t, small_box(positions_[c[0]], positions_[c[1]], positions_[c[2]]));
 }
 
-void CrossingGuard::collapsed(const Ring& ring) {
+void CrossingGuard::collapsed(const CollapseRing& ring) {
   for (const TriangleId t : ring.gone) tree_.change(t, {});
   for (const RingTriangle& t : ring.triangles) {
     tree_.change(t.number, small_box(ring.point, t.from_point, t.to_point));

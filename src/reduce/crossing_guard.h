@@ -21,13 +21,13 @@ class CrossingGuard {
 
   /// Tells whether a triangle of the ring would be without area, or meet another one of the ring or
   /// of the rest of the mesh where they share neither vertex nor edge.
-  bool would_meet(const Ring& ring);
+  bool would_meet(const CollapseRing& ring);
   /// Tells the same of two triangles that are to take the place of others, given by numbers.
   bool would_meet(const std::array<TriangleId, 2>& places,
                   const std::array<Triangle, 2>& triangles);
 
   /// Makes known that the ring's triangles are what the last step left.
-  void collapsed(const Ring& ring);
+  void collapsed(const CollapseRing& ring);
   /// Makes known that a triangle's corners are others now.
   void changed(TriangleId t);
 
@@ -42,8 +42,8 @@ class CrossingGuard {
   };
 
   void plan(const Triangle& numbers, const std::array<Vec3, 3>& corners);
-  bool is_simple(const Ring& ring);
-  bool is_simple(const Ring& ring, VertexId v);
+  bool is_simple(const CollapseRing& ring);
+  bool is_simple(const CollapseRing& ring, VertexId v);
   bool planned_meet(bool simple_inside);
   bool surely_apart(const Planned& t, const Triangle& other) const;
   bool meets(const Planned& triangle, TriangleId other) const;

@@ -27,7 +27,7 @@ bool points_are_near(const KeptDistance& kept, const Vec3& from, const Vec3& to,
 
 }  // namespace
 
-bool stays_near(Workpiece& piece, const Ring& ring) {
+bool stays_near(Workpiece& piece, const CollapseRing& ring) {
   KeptDistance& kept = *piece.distance;
   const double limit = std::min(kept.limits[ring.kept], kept.limits[ring.removed]);
   if (!kept.samples.fit(ring, limit)) return false;

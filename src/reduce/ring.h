@@ -20,7 +20,7 @@ struct RingTriangle {
 };
 
 /// The triangles round the edge, as they would be.
-struct Ring {
+struct CollapseRing {
   VertexId kept = kNone;     ///< the end of the edge whose number the new vertex has
   VertexId removed = kNone;  ///< the other end
   Vec3 point;                ///< where the new vertex would be
@@ -31,10 +31,10 @@ struct Ring {
 
 /// Returns the corners of a triangle of the ring, by number, in the order in which `corners_of` has
 /// their points.
-inline Triangle numbers_of(const Ring& ring, const RingTriangle& t) {
+inline Triangle numbers_of(const CollapseRing& ring, const RingTriangle& t) {
   return {ring.kept, t.from, t.to};
 }
-inline std::array<Vec3, 3> corners_of(const Ring& ring, const RingTriangle& t) {
+inline std::array<Vec3, 3> corners_of(const CollapseRing& ring, const RingTriangle& t) {
   return {ring.point, t.from_point, t.to_point};
 }
 

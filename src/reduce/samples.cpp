@@ -47,7 +47,7 @@ bool Samples::find_places(TriangleId from, Index at, double distance) {
   return true;
 }
 
-bool Samples::fit(const Ring& ring, double distance) {
+bool Samples::fit(const CollapseRing& ring, double distance) {
   places_.clear();
   targets_.clear();
   for (const RingTriangle& t : ring.triangles) targets_.push_back(corners_of(ring, t));
@@ -68,7 +68,7 @@ bool Samples::fit(const std::array<TriangleId, 2>& triangles,
   return find_places(triangles[0], 0, distance) && find_places(triangles[1], 1, distance);
 }
 
-void Samples::find_hints(const Ring& ring) {
+void Samples::find_hints(const CollapseRing& ring) {
   hints_.assign(ring.triangles.size(), kNone);
   off_.assign(ring.triangles.size(), kFar);
   for (const Place& place : places_) {
@@ -80,7 +80,7 @@ void Samples::find_hints(const Ring& ring) {
   }
 }
 
-void Samples::move(const Ring& ring) {
+void Samples::move(const CollapseRing& ring) {
   for (const TriangleId t : ring.gone) first_[t] = kNone;
   for (const RingTriangle& t : ring.triangles) first_[t.number] = kNone;
   for (const Place& place : places_) put(place.sample, ring.triangles[place.target].number);

@@ -21,7 +21,7 @@ class Samples {
 
   /// Tells whether each point at the ring's triangles, and at those that go, is within `distance`
   /// of one of the ring's.
-  bool fit(const Ring& ring, double distance);
+  bool fit(const CollapseRing& ring, double distance);
   /// The same for two triangles, whose corners are to be others.
   bool fit(const std::array<TriangleId, 2>& triangles,
            const std::array<std::array<Vec3, 3>, 2>& corners, double distance);
@@ -32,7 +32,7 @@ class Samples {
   TriangleId hint(std::size_t place) const { return hints_[place]; }
 
   /// Moves the points to where the last call of `fit` found place for them.
-  void move(const Ring& ring);
+  void move(const CollapseRing& ring);
   void move(const std::array<TriangleId, 2>& triangles);
 
  private:
@@ -42,7 +42,7 @@ class Samples {
   };
 
   bool find_places(TriangleId from, Index at, double distance);
-  void find_hints(const Ring& ring);
+  void find_hints(const CollapseRing& ring);
   void put(Index sample, TriangleId t) {
     next_[sample] = first_[t];
     first_[t] = sample;

@@ -25,7 +25,7 @@ Vec3 SmoothTest::normal_of(TriangleId t) const {
   return unit_normal(piece_.positions[c[0]], piece_.positions[c[1]], piece_.positions[c[2]]);
 }
 
-bool SmoothTest::stays_smooth(const Ring& ring) {
+bool SmoothTest::stays_smooth(const CollapseRing& ring) {
   normals_before_.clear();
   normals_after_.clear();
   before_.clear();

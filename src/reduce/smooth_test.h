@@ -16,7 +16,7 @@ class SmoothTest {
   SmoothTest(const Workpiece& piece, TrueCreases& creases) : piece_(piece), creases_(creases) {}
 
   /// Tells whether no edge of the ring would be a false crease, or fewer than now.
-  bool stays_smooth(const Ring& ring);
+  bool stays_smooth(const CollapseRing& ring);
 
   /// Tells whether the two triangles beside the edge turn by more than 30 degrees against each
   /// other where no edge of the reference turns by more than 15.

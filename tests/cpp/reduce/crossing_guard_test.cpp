@@ -11,9 +11,9 @@ namespace kdm {
 namespace {
 
 // The ring that collapses of the edge to a point would leave.
-Ring ring_of(const HalfEdges& mesh, const std::vector<Vec3>& positions, SideId edge,
-             const Vec3& point) {
-  Ring ring;
+CollapseRing ring_of(const HalfEdges& mesh, const std::vector<Vec3>& positions, SideId edge,
+                     const Vec3& point) {
+  CollapseRing ring;
   ring.kept = mesh.start(edge);
   ring.removed = mesh.end(edge);
   ring.point = point;
@@ -31,7 +31,7 @@ Ring ring_of(const HalfEdges& mesh, const std::vector<Vec3>& positions, SideId e
 }
 
 // What the mesh would be after the collapse.
-Mesh collapsed(const Mesh& mesh, const Ring& ring) {
+Mesh collapsed(const Mesh& mesh, const CollapseRing& ring) {
   Mesh result;
   result.positions = mesh.positions;
   result.positions[ring.kept] = ring.point;
@@ -57,7 +57,7 @@ TEST(CrossingGuard, SaysWhatAWholeSearchSays) {
     const SideId edge = random.below(3 * mesh.triangles());
     Vec3 point = 0.5 * (shells.positions[mesh.start(edge)] + shells.positions[mesh.end(edge)]);
     for (int axis = 0; axis < 3; ++axis) point[axis] += random.between(-0.06, 0.06);
-    const Ring ring = ring_of(mesh, shells.positions, edge, point);
+    const CollapseRing ring = ring_of(mesh, shells.positions, edge, point);
     const bool meet = find_self_intersections(collapsed(shells, ring)).pairs > 0;
     ASSERT_EQ(guard.would_meet(ring), meet) << "edge " << edge;
     meeting += meet ? 1 : 0;
@@ -70,8 +70,8 @@ TEST(CrossingGuard, RefusesTrianglesWithoutArea) {
   const Mesh sphere = shapes::icosphere(1, 0.5);
   HalfEdges mesh(sphere.triangles, static_cast<Index>(sphere.positions.size()));
   CrossingGuard guard(mesh, sphere.positions);
-  const Ring ring = ring_of(mesh, sphere.positions, 0, sphere.positions[mesh.start(0)]);
-  Ring flat = ring;
+  const CollapseRing ring = ring_of(mesh, sphere.positions, 0, sphere.positions[mesh.start(0)]);
+  CollapseRing flat = ring;
   flat.point = ring.triangles.front().from_point;
   EXPECT_TRUE(guard.would_meet(flat));
 }

@@ -7,8 +7,8 @@ namespace kdm {
 namespace {
 
 // Two triangles 5 and 6 of a square, whose diagonal has been collapsed out of four; 7 and 8 go.
-Ring square(double height) {
-  Ring ring;
+CollapseRing square(double height) {
+  CollapseRing ring;
   ring.kept = 0;
   ring.removed = 1;
   ring.point = Vec3(0, 0, height);
@@ -34,11 +34,11 @@ TEST(Samples, OfTrianglesThatGoMoveToThoseThatStay) {
   EXPECT_EQ(samples.hint(1), 41u);
   samples.move(square(0));
   // They are at the new triangles now: a peak under one of them leaves only its own behind.
-  Ring first = square(0);
+  CollapseRing first = square(0);
   first.triangles.resize(1);
   first.gone = {8, 8};
   EXPECT_TRUE(samples.fit(first, 0.01));
-  Ring moved = square(-1);
+  CollapseRing moved = square(-1);
   moved.triangles[0].number = 6;
   moved.triangles.resize(1);
   moved.gone = {7, 8};
@@ -55,7 +55,7 @@ TEST(Samples, OfFlippedTrianglesGoToTheNearerOne) {
       std::array<Vec3, 3>{Vec3(0, 0, 0), Vec3(1, 1, 0), Vec3(0, 1, 0)}};
   ASSERT_TRUE(samples.fit(places, corners, 0.01));
   samples.move(places);
-  Ring only_second = square(0);
+  CollapseRing only_second = square(0);
   only_second.triangles = {only_second.triangles[1]};
   only_second.gone = {7, 8};
   EXPECT_TRUE(samples.fit(only_second, 0.01));
