@@ -5,8 +5,8 @@
 #include <array>
 #include <vector>
 
+#include "geometry/fan.h"
 #include "mesh/marks.h"
-#include "reduce/fan.h"
 #include "reduce/half_edges.h"
 #include "reduce/ring.h"
 #include "reduce/triangle_tree.h"

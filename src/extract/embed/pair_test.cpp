@@ -61,31 +61,18 @@ bool PairTest::fan_is_simple(const DualMesh& mesh, VertexId v) {
   return fan_is_simple_.test(v);
 }
 
-// Looks along the sum of the normals of the hits round the vertex. Triangles that are turned the
-// right way take less than half a turn each, so the ring of their outer sides runs round the vertex
-// as often as it rises from below a line through the vertex to above it. If that is once, the
-// triangles lie beside each other.
-bool PairTest::find_if_fan_is_simple(const DualMesh& mesh, VertexId v) const {
-  // The least area of a triangle seen along the normal, as a part of the squares of its sides: far
-  // more than what rounding does to areas.
-  constexpr double kLeastArea = 1e-6;
+// Looks along the sum of the normals of the hits round the vertex.
+bool PairTest::find_if_fan_is_simple(const DualMesh& mesh, VertexId v) {
   if (mesh.on_boundary(v)) return false;
   Vec3 normal = Vec3::Zero();
-  for (const HalfEdgeId h : mesh.ring(v)) normal += view_.grid.plane_of(mesh.hit[h / 3]).normal;
-  int axis = 0;
-  normal.cwiseAbs().minCoeff(&axis);
-  const Vec3 upwards = normal.cross(Vec3::Unit(axis));
-  const double size = normal.cwiseAbs().sum();
+  outer_sides_.clear();
   const Vec3& apex = mesh.position[v];
-  int rises = 0;
   for (const HalfEdgeId h : mesh.ring(v)) {
-    const Vec3 a = mesh.position[mesh.end_vertex(h)] - apex;
-    const Vec3 b = mesh.position[mesh.vertex[previous_in_triangle(h)]] - apex;
-    const double area = a.cross(b).dot(normal);
-    if (!(area > kLeastArea * size * (a.squaredNorm() + b.squaredNorm()))) return false;
-    rises += upwards.dot(a) < 0 && upwards.dot(b) >= 0 ? 1 : 0;
+    normal += view_.grid.plane_of(mesh.hit[h / 3]).normal;
+    outer_sides_.push_back({mesh.position[mesh.end_vertex(h)] - apex,
+                            mesh.position[mesh.vertex[previous_in_triangle(h)]] - apex});
   }
-  return rises == 1;
+  return is_simple_fan(outer_sides_, normal);
 }
 
 }  // namespace kdm

@@ -8,6 +8,7 @@
 #include "extract/dual/dual_mesh.h"
 #include "extract/dual/grid_view.h"
 #include "extract/embed/cached_triangle.h"
+#include "geometry/fan.h"
 #include "mesh/marks.h"
 
 namespace kdm {
@@ -45,13 +46,14 @@ class PairTest {
     return {rounded_positions_[numbers[0]], rounded_positions_[numbers[1]],
             rounded_positions_[numbers[2]]};
   }
-  bool find_if_fan_is_simple(const DualMesh& mesh, VertexId v) const;
+  bool find_if_fan_is_simple(const DualMesh& mesh, VertexId v);
 
   GridView view_;
   double scale_;                         // makes the largest coordinate about one
   std::vector<Vec3> rounded_positions_;  // per vertex: as in the result, times the scale
   Marks fan_was_tested_;                 // per vertex
   Marks fan_is_simple_;                  // per vertex whose fan was tested
+  std::vector<OuterSide> outer_sides_;   // of the vertex that is looked at
 };
 
 }  // namespace kdm

@@ -15,19 +15,17 @@ struct OuterSide {
   Vec3 to;
 };
 
-/// Tells whether, seen from some direction, the triangles between a vertex and its outer sides,
-/// which are those of a closed ring in any order, lie beside each other, all turned the right way.
-/// Then no two of them meet but where they share corners. If not, they may or may not meet.
+/// Tells whether, seen along `normal`, the triangles between a vertex and its outer sides, which
+/// are those of a closed ring in any order, lie beside each other, all turned the right way. Then
+/// no two of them meet but where they share corners. If not, they may or may not meet.
 ///
-/// Looks along the sum of the triangles' normals. Triangles that are turned the right way take less
-/// than half a turn each, so the ring of their outer sides runs round the vertex as often as it
-/// rises from below a line through the vertex to above it: that must be once.
-inline bool is_simple_fan(std::span<const OuterSide> sides) {
+/// Triangles that are turned the right way take less than half a turn each, so the ring of their
+/// outer sides runs round the vertex as often as it rises from below a line through the vertex to
+/// above it: that must be once.
+inline bool is_simple_fan(std::span<const OuterSide> sides, const Vec3& normal) {
   // The least area of a triangle seen along the normal, as a part of the squares of its sides: far
   // more than what rounding does to areas.
   constexpr double kLeastArea = 1e-6;
-  Vec3 normal = Vec3::Zero();
-  for (const OuterSide& side : sides) normal += side.from.cross(side.to);
   int axis = 0;
   normal.cwiseAbs().minCoeff(&axis);
   const Vec3 upwards = normal.cross(Vec3::Unit(axis));
@@ -41,6 +39,13 @@ inline bool is_simple_fan(std::span<const OuterSide> sides) {
     rises += upwards.dot(side.from) < 0 && upwards.dot(side.to) >= 0 ? 1 : 0;
   }
   return rises == 1;
+}
+
+/// Tells the same, seen along the sum of the triangles' normals.
+inline bool is_simple_fan(std::span<const OuterSide> sides) {
+  Vec3 normal = Vec3::Zero();
+  for (const OuterSide& side : sides) normal += side.from.cross(side.to);
+  return is_simple_fan(sides, normal);
 }
 
 }  // namespace kdm
