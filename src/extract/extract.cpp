@@ -111,19 +111,6 @@ void check_not_empty(const GridData& grid, const Mesh& out) {
               "of the grid; take a smaller tolerance or a greater depth, or thicken the surface");
 }
 
-double area_of(const Mesh& mesh) {
-  Measure sum;
-  const auto add = [&](Index a, Index b, Index c) {
-    sum.add(mesh.positions[a], mesh.positions[b], mesh.positions[c]);
-  };
-  for (const Triangle& t : mesh.triangles) add(t[0], t[1], t[2]);
-  for (const Quad& q : mesh.quads) {
-    add(q[0], q[1], q[2]);
-    add(q[0], q[2], q[3]);
-  }
-  return sum.area;
-}
-
 }  // namespace
 
 ExtractedMesh extract(const Grid& handle, const ExtractOptions& options,

@@ -2,8 +2,6 @@
 // Puts the steps together, and says what holds for the whole.
 #include "kdmanifold/make_manifold.h"
 
-#include <algorithm>
-
 #include "construct/build_grid.h"
 #include "extract/warnings.h"
 #include "kdmanifold/error.h"
@@ -48,14 +46,6 @@ void reduce_step(const Mesh& reference, const ReduceOptions& options, const Step
   if (made.report.crossings.value_or(0) > 0) {
     made.report.crossings = find_self_intersections(made).pairs;
   }
-}
-
-double area_of(const Mesh& mesh) {
-  Measure sum;
-  for (const Triangle& t : mesh.triangles) {
-    sum.add(mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]);
-  }
-  return sum.area;
 }
 
 // Lets the account speak of the tolerance that the whole keeps.

@@ -17,4 +17,17 @@ void Measure::add(const Vec3& p, const Vec3& q, const Vec3& r) {
   absolute_volume += std::abs(term);
 }
 
+double area_of(const Mesh& mesh) {
+  Measure sum;
+  const auto add = [&](Index a, Index b, Index c) {
+    sum.add(mesh.positions[a], mesh.positions[b], mesh.positions[c]);
+  };
+  for (const Triangle& t : mesh.triangles) add(t[0], t[1], t[2]);
+  for (const Quad& q : mesh.quads) {
+    add(q[0], q[1], q[2]);
+    add(q[0], q[2], q[3]);
+  }
+  return sum.area;
+}
+
 }  // namespace kdm

@@ -2,7 +2,7 @@
 // Area and enclosed volume of triangles, summed up in one order of operations everywhere.
 #pragma once
 
-#include "kdmanifold/types.h"
+#include "kdmanifold/mesh.h"
 
 namespace kdm {
 
@@ -18,5 +18,8 @@ struct Measure {
 
   void add(const Vec3& p, const Vec3& q, const Vec3& r);
 };
+
+/// Returns the area of the mesh's faces; of a quad that of its two triangles.
+double area_of(const Mesh& mesh);
 
 }  // namespace kdm
