@@ -156,8 +156,8 @@ bool Collapser::keeps_shape() const {
     const Vec3 after = doubled_area_vector(ring_.point, t.from_point, t.to_point);
     const double size_before = before.norm();
     const double size = after.norm();
-    const double shape_before = shape_of(t.old_point, t.from_point, t.to_point);
-    const double shape = shape_of(ring_.point, t.from_point, t.to_point);
+    const double shape_before = shape_of(t.old_point, t.from_point, t.to_point, size_before);
+    const double shape = shape_of(ring_.point, t.from_point, t.to_point, size);
     // The normal of a sliver says little.
     if (shape_before >= kLeastShape && before.dot(after) < kLeastCosine * size_before * size) {
       return false;
