@@ -15,7 +15,7 @@ const head = (text) => `// SPDX-License-Identifier: MIT
 export async function generate(description, page) {
   // Here, not at the top: set-up may just have installed it.
   const { format } = await import('prettier');
-  const { build, extract, reduction, reduce, analyze, files, report } = description.options;
+  const { build, extract, reduction, reduce, analyze, files, report, solids } = description.options;
   const typescript = (text) =>
     format(text, { parser: 'typescript', printWidth: 100, singleQuote: true });
   return {
@@ -54,6 +54,7 @@ export async function generate(description, page) {
         `import type { OptionSpec } from '../option-spec.js';\n`,
         optionTable('fileOptions: Record<string, OptionSpec>', files),
         optionTable('reportOptions: Record<string, OptionSpec>', report),
+        optionTable('solidOptions: Record<string, OptionSpec>', solids),
         `/** What --help prints. */\nexport const helpText = [\n${description.help
           .split('\n')
           .map((line) => `  ${JSON.stringify(line)},`)
@@ -129,8 +130,8 @@ function optionType({ type, words }) {
 
 function optionTable(declaration, options) {
   const rows = options.map((option) => {
-    const { name, flag, type, words, shortName, least, most, below } = option;
-    const spec = { flag, kind: type, words: words?.map(({ word }) => word), shortName };
+    const { name, flag, type, words, shortName, repeats, least, most, below } = option;
+    const spec = { flag, kind: type, words: words?.map(({ word }) => word), shortName, repeats };
     Object.assign(spec, { least, most, below, default: option.default });
     return `  ${name}: ${JSON.stringify(spec)},`;
   });

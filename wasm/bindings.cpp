@@ -14,8 +14,10 @@ EMSCRIPTEN_BINDINGS(kdmanifold) {
       .function("compare", &kdm::wasm::compare)
       .function("save", &kdm::wasm::save_grid)
       .function("stats", &kdm::wasm::grid_stats)
-      .function("input", &kdm::wasm::grid_input);
+      .function("input", &kdm::wasm::grid_input)
+      .function("operands", &kdm::wasm::grid_operands);
   function("buildGrid", &kdm::wasm::build_grid);
+  function("buildBooleanGrid", &kdm::wasm::build_boolean_grid);
   function("loadGrid", &kdm::wasm::load_grid);
   function("makeManifold", &kdm::wasm::make_manifold);
   function("simplifyMesh", &kdm::wasm::simplify_mesh);

@@ -11,9 +11,11 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "kdmanifold/error.h"
+#include "kdmanifold/expression.h"
 #include "kdmanifold/make_manifold.h"
 #include "kdmanifold/mesh.h"
 #include "kdmanifold/progress.h"
@@ -96,11 +98,40 @@ inline val from_mesh(const Mesh& mesh, const char* real) {
   }
   to.set("sourceFaces",
          copy_out("Uint32Array", mesh.source_faces.size(), mesh.source_faces.data()));
+  if (!mesh.source_operands.empty()) {
+    to.set("sourceOperands",
+           copy_out("Uint32Array", mesh.source_operands.size(), mesh.source_operands.data()));
+  }
   if (!mesh.corner_normals.empty()) {
     to.set("cornerNormals", copy_out("Float32Array", mesh.corner_normals.size() * 3,
                                      reinterpret_cast<const float*>(mesh.corner_normals.data())));
   }
   return to;
+}
+
+/// Makes an expression of an Int32Array (see build_boolean_grid).
+inline Expression to_expression(const val& from) {
+  std::vector<std::int32_t> codes(length(from));
+  copy_in(from, codes.size(), codes.data());
+  std::vector<Expression> stack;
+  for (const std::int32_t code : codes) {
+    if (code >= 0) {
+      stack.emplace_back(static_cast<Index>(code));
+      continue;
+    }
+    const Expression last = std::move(stack.back());
+    if (code == -5) {
+      stack.back() = complement(last);
+      continue;
+    }
+    stack.pop_back();
+    Expression& first = stack.back();
+    first = code == -1   ? union_of(first, last)
+            : code == -2 ? intersection(first, last)
+            : code == -3 ? difference(first, last)
+                         : symmetric_difference(first, last);
+  }
+  return std::move(stack.back());
 }
 
 /// Makes a Uint32Array of numbers, or of small arrays of numbers one after the other.

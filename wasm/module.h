@@ -16,6 +16,33 @@ inline val build_grid(val mesh, val options, val progress) {
   });
 }
 
+/// `operands` is an array of meshes that may have a `transform` of 16 numbers, column by column,
+/// and the word of an inside rule; `expression` is in postfix order: numbers of operands, and below
+/// zero operations (-1 union, -2 intersection, -3 difference, -4 symmetric difference, -5
+/// complement). The wrapper has checked it.
+inline val build_boolean_grid(val operands, val expression, val options, val progress) {
+  return guard([&] {
+    const std::size_t count = length(operands);
+    std::vector<Mesh> meshes(count);
+    std::vector<Operand> given;
+    for (std::size_t i = 0; i < count; ++i) {
+      const val operand = operands[i];
+      meshes[i] = to_mesh(operand);
+      given.emplace_back(meshes[i]);
+      const val transform = operand["transform"];
+      if (present(transform)) {
+        Eigen::Matrix4d matrix;
+        copy_in(transform, 16, matrix.data());
+        given[i].transform = matrix.topRows<3>();
+      }
+      const val inside = operand["inside"];
+      if (present(inside)) given[i].inside = to_choice<InsideRule>(inside, "inside");
+    }
+    return val(build_csg_grid(given, to_expression(expression), to_options<BuildOptions>(options),
+                              to_progress(progress)));
+  });
+}
+
 inline val load_grid(val bytes, std::string name) {
   return guard([&] {
     const std::string copy = to_bytes(bytes);
@@ -128,6 +155,12 @@ inline val thicken(val mesh, double thickness) {
 inline val grid_stats(const Grid& grid) { return from_report(grid.stats()); }
 
 inline val grid_input(const Grid& grid) { return from_report(grid.input()); }
+
+inline val grid_operands(const Grid& grid) {
+  val to = val::array();
+  for (const InputReport& operand : grid.operands()) to.call<void>("push", from_report(operand));
+  return to;
+}
 
 inline val find_self_intersections(val mesh) {
   return guard([&] { return from_report(kdm::find_self_intersections(to_mesh(mesh))); });

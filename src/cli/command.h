@@ -31,6 +31,22 @@ struct ReportOptions {
   bool quiet = false;  ///< print nothing but errors
 };
 
+/// Stands for an option that may be given several times: what was given is kept in the order of the
+/// command line, among that of the others like it.
+struct Repeated {};
+
+/// The operands of a Boolean operation beside INPUT, from left to right, and where they go.
+struct SolidOptions {
+  Repeated united, intersected, subtracted, exclusive, transform;
+};
+
+/// One of these options, as it was given.
+struct RepeatedArgument {
+  std::string flag;
+  std::string typed;  ///< the flag as the user has typed it
+  std::string value;
+};
+
 /// One run of the program, as its arguments say.
 struct Command {
   std::vector<std::string> inputs;  ///< paths of meshes or of saved grids, `-`, and patterns
@@ -39,9 +55,13 @@ struct Command {
   BuildOptions build;
   ExtractOptions extract;
   ReductionOptions reduction;
+  std::vector<RepeatedArgument> solids;
   std::map<std::string, std::string> typed;  ///< options that are given: how, by their flags
   std::string answer;  ///< not empty: print this instead of working (--help, --version)
 };
+
+/// Says whether INPUT is an operand of a Boolean operation.
+inline bool joins_solids(const Command& command) { return !command.solids.empty(); }
 
 /// Says whether something is to be written.
 inline bool writes(const FileOptions& files) {
@@ -96,6 +116,33 @@ void for_each_field(Options& report, Visit&& visit) {
                             "inputs, a list of reports"},
         report.json);
   visit(OptionField{.name = "quiet", .help = "print nothing but errors"}, report.quiet);
+}
+
+/// See above.
+template <Either<SolidOptions> Options, typename Visit>
+void for_each_field(Options& solids, Visit&& visit) {
+  visit(OptionField{.name = "union",
+                    .letter = "FILE",
+                    .help = "join a mesh to INPUT and to what came of the options before; each of "
+                            "these may be given several times, and they are done from left to "
+                            "right"},
+        solids.united);
+  visit(
+      OptionField{
+          .name = "intersection", .letter = "FILE", .help = "keep what lies in this mesh too"},
+      solids.intersected);
+  visit(OptionField{.name = "difference", .letter = "FILE", .help = "cut this mesh off"},
+        solids.subtracted);
+  visit(OptionField{.name = "symmetric_difference",
+                    .letter = "FILE",
+                    .help = "keep what lies either in this mesh or in what was there, but not in "
+                            "both"},
+        solids.exclusive);
+  visit(OptionField{.name = "transform",
+                    .letter = "M",
+                    .help = "where the mesh goes that was named last, at first INPUT: 12 numbers "
+                            "with commas between them, the rows of a matrix of 3 by 4, or 16"},
+        solids.transform);
 }
 
 /// Writes the option as it is typed: `--split-error`; `--no-unfold` for flags that are on already.

@@ -6,9 +6,11 @@
 
 #include <chrono>
 #include <new>
+#include <optional>
 
 #include "cli/files.h"
 #include "cli/mesh_files.h"
+#include "cli/solids.h"
 
 namespace kdm::cli {
 namespace {
@@ -127,7 +129,7 @@ void work(const Command& command, const Task& task, ProgressLine& progress, RunR
     return begin(step, progress, watch, report.seconds);
   };
   MadeManifold made;
-  Mesh input;
+  std::optional<Mesh> input;  // if it is one mesh, and no grid
   progress.show("reading");
   if (task.is_grid) {
     made.grid = read_grid_file(task.input);
@@ -145,9 +147,16 @@ void work(const Command& command, const Task& task, ProgressLine& progress, RunR
     }
     report.seconds.analyze = watch.lap();
     if (!converts(command)) return;
-    made = make_manifold_in_steps(read.mesh, {command.build, command.extract, command.reduction},
-                                  steps);
-    input = std::move(read.mesh);
+    if (joins_solids(command)) {
+      made.grid =
+          build_solids(command, input_name(task.input), read.mesh, steps(MakeStep::kBuild), report);
+      static_cast<MadeMesh&>(made) = make_from_grid(
+          made.grid, command.extract, {.reduce = false, .target_triangles = {}}, steps);
+    } else {
+      made = make_manifold_in_steps(read.mesh, {command.build, command.extract, command.reduction},
+                                    steps);
+      input = std::move(read.mesh);
+    }
   }
   (made.reduced ? report.seconds.reduce : report.seconds.extract) = watch.lap();
   round_to_single(made);
@@ -157,6 +166,7 @@ void work(const Command& command, const Task& task, ProgressLine& progress, RunR
   report.seconds.write = watch.lap();
   progress.show("checking");
   report.input = made.grid.input();
+  report.operands = made.grid.operands();
   report.grid = made.stats;
   report.output = describe(made);
   report.extracted = made.report;
@@ -164,8 +174,8 @@ void work(const Command& command, const Task& task, ProgressLine& progress, RunR
   const auto warn = [&](const std::vector<Warning>& of) {
     report.warnings.insert(report.warnings.end(), of.begin(), of.end());
   };
-  if (!task.is_grid) {
-    const Account account = compare(input, made.grid, made, {.error = command.report.check});
+  if (input) {
+    const Account account = compare(*input, made.grid, made, {.error = command.report.check});
     report.lost = account.lost;
     report.error = account.error;
     warn(account.warnings);
@@ -179,7 +189,11 @@ void work(const Command& command, const Task& task, ProgressLine& progress, RunR
 std::string message_of(const Error& error, const Command& command, const Task& task) {
   std::string message = with_typed_names(command, error.what());
   const std::string name = input_name(task.input);
-  if (error.code() == ErrorCode::kIoError || message.rfind(name + ": ", 0) == 0) return message;
+  const auto names = [&](const std::string& file) { return message.rfind(file + ": ", 0) == 0; };
+  if (error.code() == ErrorCode::kIoError || names(name)) return message;
+  for (const RepeatedArgument& argument : command.solids) {
+    if (names(argument.value)) return message;
+  }
   if (error.code() == ErrorCode::kInvalidOption) {
     const std::size_t end = message.find_first_of(" :");
     const auto typed = command.typed.find("--" + kebab_case(message.substr(0, end)));

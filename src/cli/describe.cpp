@@ -30,6 +30,11 @@ void add_text(Json& json, const char* key, const char* text) {
 // Texts have neither range nor default.
 void add_type(Json& json, const std::string&) { json["type"] = "text"; }
 
+void add_type(Json& json, Repeated) {
+  json["type"] = "text";
+  json["repeats"] = true;
+}
+
 void add_type(Json& json, bool standard) {
   json["type"] = "boolean";
   json["default"] = standard;
@@ -152,7 +157,7 @@ std::string description() {
       {"build", options_json<BuildOptions>()},         {"extract", options_json<ExtractOptions>()},
       {"reduction", options_json<ReductionOptions>()}, {"reduce", options_json<ReduceOptions>()},
       {"analyze", options_json<AnalyzeOptions>()},     {"files", options_json<FileOptions>()},
-      {"report", options_json<ReportOptions>()}};
+      {"report", options_json<ReportOptions>()},       {"solids", options_json<SolidOptions>()}};
   Json& reports = json["reports"];
   reports["InputReport"] = report_json<InputReport>("What the grid was built from");
   reports["GridStats"] = report_json<GridStats>("The size of a grid");

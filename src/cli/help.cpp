@@ -139,6 +139,9 @@ std::string help_text() {
   lines.push_back({"-h, --help", "print this"});
   add_group("Checks and reports", lines);
   lines.clear();
+  add_lines<SolidOptions>(lines);
+  add_group("Boolean operations (then --strict is embedded unless it is given)", lines);
+  lines.clear();
   add_lines<BuildOptions>(lines);
   add_group("How a mesh becomes a grid", lines);
   lines.clear();

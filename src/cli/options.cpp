@@ -10,19 +10,11 @@
 
 #include "cli/describe.h"
 #include "cli/help.h"
+#include "cli/solids.h"
 #include "cli/suggest.h"
 
 namespace kdm::cli {
 namespace {
-
-// Reads the whole text as a finite number; NaN if it is none.
-double to_number(const std::string& text) {
-  double number = 0;
-  const char* const end = text.data() + text.size();
-  const auto [rest, error] = fast_float::from_chars(text.data(), end, number);
-  const bool read = error == std::errc() && rest == end && std::isfinite(number);
-  return read ? number : std::nan("");
-}
 
 bool is_whole(const std::string& text) {
   return !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
@@ -83,12 +75,13 @@ std::string read_value(const OptionField& field, const std::string& text, Value&
   return "";
 }
 
-// What can be typed. Flags have no `read`, values no `set`.
+// What can be typed. Flags have no `read`, values no `set`, what may be repeated neither.
 struct Entry {
   std::string flag;
   std::string short_flag;
   std::function<void()> set;
   std::function<std::string(const std::string&)> read;
+  bool repeats = false;
 };
 
 template <typename Options>
@@ -97,7 +90,9 @@ void add_entries(std::vector<Entry>& entries, Options& options) {
     using Value = std::decay_t<decltype(target)>;
     Entry entry{flag_of(field, target), {}, {}, {}};
     if (field.short_name[0] != '\0') entry.short_flag = std::string("-") + field.short_name;
-    if constexpr (std::is_same_v<Value, bool>) {
+    if constexpr (std::is_same_v<Value, Repeated>) {
+      entry.repeats = true;
+    } else if constexpr (std::is_same_v<Value, bool>) {
       entry.set = [&target, standard = target] { target = !standard; };
     } else if constexpr (std::is_same_v<Value, std::optional<bool>>) {
       entry.set = [&target] { target = false; };
@@ -147,6 +142,7 @@ class Scanner {
       : arguments_(arguments), command_(command) {
     add_entries(entries_, command.files);
     add_entries(entries_, command.report);
+    add_entries(entries_, solids_);
     add_entries(entries_, command.build);
     add_entries(entries_, command.extract);
     add_entries(entries_, command.reduction);
@@ -183,9 +179,14 @@ class Scanner {
       if (first) entry.set();
       return;
     }
-    if (!first) throw UsageError(name + ": is given twice");
-    const std::string wrong =
-        entry.read(has_value ? argument.substr(equals + 1) : next_value(name));
+    if (!first && !entry.repeats) throw UsageError(name + ": is given twice");
+    const std::string value = has_value ? argument.substr(equals + 1) : next_value(name);
+    if (entry.repeats) {
+      if (value.empty()) throw UsageError(name + ": the value is empty");
+      command_.solids.push_back({entry.flag, name, value});
+      return;
+    }
+    const std::string wrong = entry.read(value);
     if (!wrong.empty()) throw UsageError(name + ": " + wrong);
   }
 
@@ -207,6 +208,7 @@ class Scanner {
 
   const std::vector<std::string>& arguments_;
   Command& command_;
+  SolidOptions solids_;
   std::vector<Entry> entries_;
   std::size_t at_ = 0;
 };
@@ -256,6 +258,14 @@ void check_combination(const Command& command) {
   if (!files.out_dir.empty() && !files.save_grid.empty()) {
     refuse("--out-dir", "not together with " + as_typed(command, "--save-grid"));
   }
+  solid_files(command);
+  if (joins_solids(command)) {
+    for (const char* const flag : {"--no-reduce", "--target-triangles"}) {
+      if (command.typed.contains(flag)) {
+        refuse(flag, "not with Boolean operations, whose results are not reduced");
+      }
+    }
+  }
   if (command.typed.contains("--no-strict") && command.typed.contains("--strict")) {
     refuse("--no-strict", "not together with " + as_typed(command, "--strict"));
   }
@@ -290,12 +300,25 @@ std::string with_typed_names(const Command& command, const std::string& text) {
   return result + text.substr(done);
 }
 
+double to_number(const std::string& text) {
+  double number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = fast_float::from_chars(text.data(), end, number);
+  const bool read = error == std::errc() && rest == end && std::isfinite(number);
+  return read ? number : std::nan("");
+}
+
 Command parse_command(const std::vector<std::string>& arguments) {
   Command command;
   command.answer = answer_to(arguments);
   if (!command.answer.empty()) return command;
   Scanner(arguments, command).run();
   check_combination(command);
+  const bool strict_given =
+      command.typed.count("--strict") + command.typed.count("--no-strict") > 0;
+  if (joins_solids(command) && !strict_given && !command.extract.quads) {
+    command.extract.strict = Strict::kEmbedded;
+  }
   return command;
 }
 

@@ -19,4 +19,7 @@ struct UsageError : std::runtime_error {
 /// given twice, or options that do not go together. Looks at no file.
 Command parse_command(const std::vector<std::string>& arguments);
 
+/// Reads the whole text as a finite number; NaN if it is none.
+double to_number(const std::string& text);
+
 }  // namespace kdm::cli

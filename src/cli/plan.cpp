@@ -58,13 +58,16 @@ void check_grid(const Command& command, const std::string& input) {
   if (command.report.stats) {
     refuse(command, "--stats", fmt::format("{} is a grid, which has no faces", input));
   }
-  const BuildOptions standard;
-  for_each_field(standard, [&](const OptionField& field, const auto& value) {
+  const auto check = [&](const OptionField& field, const auto& value) {
     const std::string flag = flag_of(field, value);
     if (command.typed.count(flag) > 0) {
       refuse(command, flag.c_str(), fmt::format("the grid in {} is built already", input));
     }
-  });
+  };
+  const BuildOptions build;
+  const SolidOptions solids;
+  for_each_field(build, check);
+  for_each_field(solids, check);
 }
 
 // The path of the result in --out-dir.

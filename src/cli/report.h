@@ -27,14 +27,15 @@ struct Level {
 struct RunReport {
   MeshDefects defects;  ///< of the input; with --stats only
   InputReport input;    ///< this and what follows: unless --stats is all that is asked for
+  std::vector<InputReport> operands;  ///< of a Boolean operation: INPUT and the others
   GridStats grid;
   MeshReport output;
   ExtractReport extracted;
   std::optional<ReduceReport> reduced;   ///< empty: nothing was reduced
   std::vector<Level> levels;             ///< one for each of --target-triangles
   std::vector<Warning> warnings;         ///< of the file, then of the result
-  std::optional<LostArea> lost;          ///< unless the input is a grid
-  std::optional<MeshError> error;        ///< with --check, unless the input is a grid
+  std::optional<LostArea> lost;          ///< only of one mesh that was the input
+  std::optional<MeshError> error;        ///< likewise, with --check
   std::uint64_t self_intersections = 0;  ///< of the output; with --check only
   Seconds seconds;
   std::uint64_t peak_bytes = 0;  ///< most memory the process held; 0: unknown

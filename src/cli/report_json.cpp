@@ -94,6 +94,9 @@ Json report_as_json(const RunReport& report, const Command& command) {
   Json json;
   json["input"] = converts(command) ? all_fields(report.input) : input_json(report.defects);
   if (command.report.stats) json["defects"] = defects_json(report.defects);
+  for (const InputReport& operand : report.operands) {
+    json["operands"].push_back(all_fields(operand));
+  }
   if (converts(command)) {
     json["grid"] = all_fields(report.grid);
     json["output"] = output_json(report.output, report.extracted);

@@ -83,6 +83,7 @@ std::string input_text(const RunReport& report, const Command& command, const Ta
   }
   const InputReport& input = report.input;
   std::string lines = text(input.vertices, input.triangles, input.components);
+  if (!report.operands.empty()) lines += fmt::format(", {} operands", report.operands.size());
   lines += input.flipped ? ", turned inside out\n" : "\n";
   if (input.degenerate_faces + input.cancelled_faces > 0) {
     lines += fmt::format("         {} faces without area and {} back to back take no part\n",

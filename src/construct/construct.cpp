@@ -13,8 +13,8 @@
 
 #include "construct/budget.h"
 #include "construct/crossing_search.h"
+#include "construct/solid_filter.h"
 #include "geometry/assert.h"
-#include "inside/make_inside_model.h"
 #include "mesh/progress.h"
 #include "split/split_rules.h"
 #include "split/triangle_lists.h"
@@ -48,6 +48,7 @@ struct CellFrame {
   CellEdges edges;
   std::array<int, 8> state{};  // of the inside model at the corners
   ListRange triangles;
+  bool several_solids = false;  // have triangles in the list
   RuleRange rule;
   double done_before = 0;  // fraction of the construction before and after this cell
   double done_after = 1;
@@ -102,6 +103,7 @@ class Construction {
         rule_(make_split_rule(surface, model, options, tolerance, depth)),
         lists_(surface.triangles),
         search_(surface.triangles),
+        solids_(surface, model),
         budget_(surface.repair || surface.patched
                     ? Budget::for_repair(surface.triangles.size(), model.work())
                     : Budget()),
@@ -119,6 +121,7 @@ class Construction {
   double make_cells() {
     CellFrame root;
     root.triangles = lists_.all();
+    root.several_solids = solids_.exist();
     root.rule = rule_->root();
     split_cell(root);
     if (!budget_.sufficed()) return budget_.done();
@@ -131,9 +134,12 @@ class Construction {
   const EdgeCrossings& crossings() const { return crossings_; }
 
  private:
-  void split_cell(const CellFrame& frame) {
+  void split_cell(CellFrame& frame) {
     if (budget_.exceeded(model_.work(), frame.done_before)) return;
     progress_.count_cell(frame.done_before);
+    if (frame.several_solids) {
+      frame.several_solids = solids_.leave_out(frame.state[0], lists_, frame.triangles);
+    }
     if (frame.triangles.size() == 0) return;
     const std::optional<Split> split =
         rule_->choose({frame.box, frame.depth, lists_.entries(frame.triangles), frame.rule,
@@ -145,7 +151,7 @@ class Construction {
     const auto first_child = static_cast<CellId>(grid_.cells.size());
     grid_.cells[frame.cell] = Cell(first_child, split->axis, split->value);
     grid_.cells.resize(grid_.cells.size() + 2);
-    const Halves halves = divide(frame, *split, first_child);
+    Halves halves = divide(frame, *split, first_child);
     // The list of the upper child lies on top in the arena, but the lower child comes first in
     // depth-first order; its descendants' lists go above both.
     split_cell(halves.below);
@@ -222,6 +228,7 @@ class Construction {
   std::unique_ptr<SplitRule> rule_;
   TriangleLists lists_;
   CrossingSearch search_;
+  SolidFilter solids_;
   EdgeCrossings crossings_;
   Budget budget_;
   CellProgress progress_;
@@ -246,9 +253,9 @@ double widening_for(double done) {
 
 }  // namespace
 
-ConstructedCells construct_cells(const Surface& surface, const BuildOptions& options,
-                                 double tolerance, int depth, const Progress& progress,
-                                 GridData& grid) {
+ConstructedCells construct_cells(const Surface& surface, InsideModel& model,
+                                 const BuildOptions& options, double tolerance, int depth,
+                                 const Progress& progress, GridData& grid) {
   double shown = 0;
   Progress onwards;
   if (progress) {
@@ -257,12 +264,11 @@ ConstructedCells construct_cells(const Surface& surface, const BuildOptions& opt
       return progress(shown, phase);
     };
   }
-  const std::unique_ptr<InsideModel> model = make_inside_model(surface, options, tolerance);
   for (;;) {
-    Construction construction(surface, options, tolerance, depth, *model, onwards, grid);
+    Construction construction(surface, options, tolerance, depth, model, onwards, grid);
     const double done = construction.make_cells();
     if (done == 1) {
-      return {tolerance, make_hits(construction.crossings(), surface, *model, grid)};
+      return {tolerance, make_hits(construction.crossings(), surface, model, grid)};
     }
     tolerance = widening_for(done) * std::max(tolerance, 1.0);
   }

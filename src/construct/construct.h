@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "grid/grid_data.h"
+#include "inside/inside_model.h"
 #include "kdmanifold/build.h"
 #include "prepare/surface.h"
 
@@ -20,12 +21,13 @@ struct ConstructedCells {
 
 /// Splits cells until the split rule that the options choose asks for no more splits, and fills the
 /// cells, splitting edges, hits, planes and source faces of `grid`; half-edges are linked by a
-/// later step. Grids of the same surface and options are the same. `tolerance` is in lattice units,
-/// and no cell is deeper than `depth`. The tolerance is widened, and the cells are made anew, where
-/// a surface to be repaired would take more than a fixed budget of splits and winding numbers (see
-/// Budget). Throws `kAborted` if `progress` says so.
-ConstructedCells construct_cells(const Surface& surface, const BuildOptions& options,
-                                 double tolerance, int depth, const Progress& progress,
-                                 GridData& grid);
+/// later step. `model` says what is inside the surface. Grids of the same surface and options are
+/// the same. `tolerance` is in lattice units, and no cell is deeper than `depth`. The tolerance is
+/// widened, and the cells are made anew, where a surface to be repaired would take more than a
+/// fixed budget of splits and winding numbers (see Budget). Throws `kAborted` if `progress` says
+/// so.
+ConstructedCells construct_cells(const Surface& surface, InsideModel& model,
+                                 const BuildOptions& options, double tolerance, int depth,
+                                 const Progress& progress, GridData& grid);
 
 }  // namespace kdm

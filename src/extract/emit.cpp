@@ -49,7 +49,10 @@ Mesh emit(const GridData& grid, const DualMesh& mesh, const std::vector<Vec3>& n
     const Index face = grid.source_faces[grid.hits[mesh.hit[t]].plane()];
     return face == kPatch ? kNone : face;
   };
+  const auto plane = [&](Index t) { return grid.hits[mesh.hit[t]].plane(); };
+  const bool operands = !grid.source_operands.empty();
   std::vector<Index> quad_sources;
+  std::vector<Index> quad_operands;
   std::vector<std::array<float, 3>> quad_normals;
   const auto add_normals = [&](std::initializer_list<Index> half_edges,
                                std::vector<std::array<float, 3>>& to) {
@@ -67,6 +70,7 @@ Mesh emit(const GridData& grid, const DualMesh& mesh, const std::vector<Vec3>& n
     if (diagonal == kNone) {
       out.triangles.push_back({number(3 * t), number(3 * t + 1), number(3 * t + 2)});
       out.source_faces.push_back(source(t));
+      if (operands) out.source_operands.push_back(grid.source_operands[plane(t)]);
       add_normals({3 * t, 3 * t + 1, 3 * t + 2}, out.corner_normals);
       continue;
     }
@@ -75,10 +79,12 @@ Mesh emit(const GridData& grid, const DualMesh& mesh, const std::vector<Vec3>& n
     out.quads.push_back({number(diagonal), number(previous_in_triangle(other)), number(other),
                          number(previous_in_triangle(diagonal))});
     quad_sources.push_back(source(t));
+    if (operands) quad_operands.push_back(grid.source_operands[plane(t)]);
     add_normals({diagonal, previous_in_triangle(other), other, previous_in_triangle(diagonal)},
                 quad_normals);
   }
   out.source_faces.insert(out.source_faces.end(), quad_sources.begin(), quad_sources.end());
+  out.source_operands.insert(out.source_operands.end(), quad_operands.begin(), quad_operands.end());
   out.corner_normals.insert(out.corner_normals.end(), quad_normals.begin(), quad_normals.end());
   return out;
 }

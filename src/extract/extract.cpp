@@ -101,6 +101,11 @@ void leave_parts_out(const GridData& grid, Parts wanted, ExtractedMesh& out) {
 // Throws if nothing is left, with what to do about it.
 void check_not_empty(const GridData& grid, const Mesh& out) {
   if (!out.triangles.empty() || !out.quads.empty()) return;
+  if (!grid.operands.empty()) {
+    throw Error(ErrorCode::kEmptyResult,
+                "the Boolean operation leaves nothing, or nothing that is wider than the tolerance "
+                "or the cells of the grid");
+  }
   if (!grid.sheet && !grid.hits.empty() && !grid.input.closed) {
     throw Error(ErrorCode::kNotClosed,
                 "the surface encloses nothing that is wider than the tolerance; thicken it, or "

@@ -146,6 +146,7 @@ Mesh filtered(const Mesh& mesh, const Keeps& keeps) {
     for (Index& v : face) v = renumbered(v);
     to.push_back(face);
     out.source_faces.push_back(mesh.source_faces[of]);
+    if (!mesh.source_operands.empty()) out.source_operands.push_back(mesh.source_operands[of]);
     if (mesh.corner_normals.empty()) return;
     for (std::size_t i = first; i < corner; ++i) {
       out.corner_normals.push_back(mesh.corner_normals[i]);

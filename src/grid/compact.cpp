@@ -23,6 +23,9 @@ class PlaneSelection {
       new_number_[plane] = static_cast<PlaneId>(planes_.size());
       planes_.push_back(grid_.planes[plane]);
       source_faces_.push_back(grid_.source_faces[plane]);
+      if (!grid_.source_operands.empty()) {
+        source_operands_.push_back(grid_.source_operands[plane]);
+      }
     }
     return new_number_[plane];
   }
@@ -30,8 +33,10 @@ class PlaneSelection {
   void apply() {
     planes_.shrink_to_fit();
     source_faces_.shrink_to_fit();
+    source_operands_.shrink_to_fit();
     grid_.planes = std::move(planes_);
     grid_.source_faces = std::move(source_faces_);
+    grid_.source_operands = std::move(source_operands_);
   }
 
  private:
@@ -39,6 +44,7 @@ class PlaneSelection {
   std::vector<PlaneId> new_number_;
   std::vector<Plane> planes_;
   std::vector<Index> source_faces_;
+  std::vector<Index> source_operands_;
 };
 
 class Compaction {

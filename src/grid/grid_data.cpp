@@ -14,8 +14,8 @@ std::size_t bytes_of(const std::vector<T>& v) {
 
 std::size_t GridData::bytes() const {
   return bytes_of(cells) + bytes_of(edge_begin) + bytes_of(hits) + bytes_of(opposite) +
-         bytes_of(start) + bytes_of(planes) + bytes_of(source_faces) + bytes_of(rims) +
-         bytes_of(corners) + sizeof(GridData);
+         bytes_of(start) + bytes_of(planes) + bytes_of(source_faces) + bytes_of(source_operands) +
+         bytes_of(rims) + bytes_of(corners) + bytes_of(operands) + sizeof(GridData);
 }
 
 std::vector<LatticeBox> cell_boxes(const GridData& grid) {
@@ -76,5 +76,6 @@ const GridData& Grid::data() const {
 }
 const GridStats& Grid::stats() const { return data().stats; }
 const InputReport& Grid::input() const { return data().input; }
+const std::vector<InputReport>& Grid::operands() const { return data().operands; }
 
 }  // namespace kdm

@@ -141,6 +141,9 @@ struct GridData {
   std::vector<Plane> planes;
   std::vector<Index> source_faces;  ///< per plane the number of its input face; kPatch: of a patch
                                     ///< that closes a hole; kNone: invented
+  /// Of a Boolean operation, per plane the number of its operand; kNone: of the box round them all.
+  /// Empty if the grid was built from one mesh.
+  std::vector<Index> source_operands;
   bool sheet = false;  ///< it is the grid of a sheet: half-edges may lie on the boundary
   /// The inside rule and the option `thicken` that the grid was built with. Saved grids do not
   /// tell.
@@ -150,6 +153,7 @@ struct GridData {
   std::vector<KeptCorner> corners;  ///< ascending by half-edge; a loop has one at most
   GridStats stats;
   InputReport input;
+  std::vector<InputReport> operands;  ///< of a Boolean operation; `input` is their sum
 
   static constexpr std::uint32_t kStrip = 1u << 31;  ///< in `start`, beside the leaf
   /// Returns the leaf in which a half-edge starts.

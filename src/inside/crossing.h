@@ -26,8 +26,10 @@ enum class CrossingRole {
   kBounds,    ///< bounds the solid: it becomes a hit
   kInner,     ///< does not: the points just below and above it lie both inside, or both outside
   kTouching,  ///< one of several at one position that lie outside: parts of the solid touch there
-  kGap        ///< one of two that leave the solid and enter it again, so close to each other that
+  kGap,       ///< one of two that leave the solid and enter it again, so close to each other that
               ///< the gap between them is closed
+  kSliver     ///< one of two that enter the solid and leave it again, so close to each other that
+              ///< what lies between them is left out
 };
 
 /// A crossing and what the inside model says of it: 12 bytes, since construction keeps one for
@@ -38,7 +40,7 @@ class ClassifiedCrossing {
                      bool leaving)
       : position_(position),
         packed_((triangle & kTriangleMask) | (leaving ? kLeaving : 0u)),
-        state_and_role_(state_after * 4 + static_cast<int>(role)) {}
+        state_and_role_(state_after * kRoles + static_cast<int>(role)) {}
 
   LinePosition position() const { return position_; }
   /// Returns kNone for a crossing that was invented.
@@ -47,9 +49,11 @@ class ClassifiedCrossing {
     return triangle == kTriangleMask ? kNone : triangle;
   }
   /// Returns the inside model's state of the points just above the crossing.
-  int state_after() const { return state_and_role_ >> 2; }
-  CrossingRole role() const { return static_cast<CrossingRole>(state_and_role_ & 3); }
-  void set_role(CrossingRole role) { state_and_role_ = state_after() * 4 + static_cast<int>(role); }
+  int state_after() const { return state_and_role_ >> 3; }
+  CrossingRole role() const { return static_cast<CrossingRole>(state_and_role_ & (kRoles - 1)); }
+  void set_role(CrossingRole role) {
+    state_and_role_ = state_after() * kRoles + static_cast<int>(role);
+  }
   /// Returns whether the crossing bounds the solid (of a sheet: always), so that it becomes a hit.
   bool kept() const { return role() == CrossingRole::kBounds; }
   /// Returns whether the edge, followed upwards, leaves the solid here; this may differ from the
@@ -60,19 +64,25 @@ class ClassifiedCrossing {
  private:
   static constexpr std::uint32_t kLeaving = 1u << 31;
   static constexpr std::uint32_t kTriangleMask = kLeaving - 1;  // no input has as many triangles
+  static constexpr int kRoles = 8;                              // the next power of two
 
   LinePosition position_;
   std::uint32_t packed_;  // 31 bits of triangle, then the flag
-  int state_and_role_;    // the role takes two bits
+  int state_and_role_;    // the role takes three bits
 };
 static_assert(sizeof(ClassifiedCrossing) == 12);
 
-/// Returns the number of the crossing at which a gap ends that begins with crossing `leaving`: the
-/// next one of the role `kGap`.
-inline Index end_of_gap(const std::vector<ClassifiedCrossing>& crossings, Index leaving) {
-  Index entering = leaving + 1;
-  while (crossings[entering].role() != CrossingRole::kGap) ++entering;
-  return entering;
+/// Tells whether a gap or a sliver begins with the crossing.
+inline bool begins_gap(const ClassifiedCrossing& crossing) {
+  return crossing.role() == (crossing.leaving() ? CrossingRole::kGap : CrossingRole::kSliver);
+}
+
+/// Returns the number of the crossing at which a gap or a sliver ends that begins with another one:
+/// the next one of its role.
+inline Index end_of_gap(const std::vector<ClassifiedCrossing>& crossings, Index begin) {
+  Index end = begin + 1;
+  while (crossings[end].role() != crossings[begin].role()) ++end;
+  return end;
 }
 
 /// The crossings of all splitting edges that were made so far. Those of one edge are consecutive

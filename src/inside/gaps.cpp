@@ -14,6 +14,8 @@ namespace {
 
 // Within one part, lattice units: what rounding does to two faces that lie on each other.
 constexpr double kNarrow = 4;
+// The greatest cosine between the normals of sides that face each other.
+constexpr double kFacing = -0.9;
 
 // Of a gap on a grid line: the line, the lattice planes that the gap reaches across, and the first
 // of its two crossings.
@@ -34,14 +36,12 @@ std::uint64_t line_of(const LatticePoint& p, int axis) {
 std::vector<Gap> find_gaps(const GridData& grid, const std::vector<LatticeBox>& boxes,
                            const EdgeCrossings& planned) {
   std::vector<Gap> gaps;
-  const bool some = std::any_of(planned.all.begin(), planned.all.end(), [](const auto& crossing) {
-    return crossing.role() == CrossingRole::kGap;
-  });
+  const bool some = std::any_of(planned.all.begin(), planned.all.end(), begins_gap);
   if (!some) return gaps;
   for_each_splitting_edge(grid, boxes, [&](const SplittingEdge& edge) {
     const Index end = planned.edge_begin[edge.number + 1];
     for (Index c = planned.edge_begin[edge.number]; c < end; ++c) {
-      if (planned.all[c].role() != CrossingRole::kGap || !planned.all[c].leaving()) continue;
+      if (!begins_gap(planned.all[c])) continue;
       const Index other = end_of_gap(planned.all, c);
       // A crossing lies above the plane of its floor.
       const std::int32_t first = floor_of(planned.all[c].position()) + 1;
@@ -61,29 +61,60 @@ GapRule::GapRule(const Surface& surface, double tolerance)
     : surface_(surface), part_of_(find_parts(surface.topology)), widest_(widest_gap(tolerance)) {}
 
 void GapRule::close(int axis, std::span<ClassifiedCrossing> edge) const {
-  ClassifiedCrossing* leaving = nullptr;  // where the solid was left last
+  ClassifiedCrossing* leaving = nullptr;   // where the solid was left last
+  ClassifiedCrossing* entering = nullptr;  // where it was entered last; only of several solids
+  const auto pair_off = [&](ClassifiedCrossing& first, ClassifiedCrossing& second,
+                            CrossingRole role) {
+    first.set_role(role);
+    second.set_role(role);
+    leaving = entering = nullptr;
+  };
   for (ClassifiedCrossing& crossing : edge) {
     if (!crossing.kept()) continue;
     if (crossing.leaving()) {
-      leaving = &crossing;
+      if (entering != nullptr && leaves_out(axis, *entering, crossing)) {
+        pair_off(*entering, crossing, CrossingRole::kSliver);
+      } else {
+        leaving = &crossing;
+      }
     } else if (leaving != nullptr && closes(axis, *leaving, crossing)) {
-      leaving->set_role(CrossingRole::kGap);
-      crossing.set_role(CrossingRole::kGap);
+      pair_off(*leaving, crossing, CrossingRole::kGap);
+    } else if (surface_.several_solids()) {
+      entering = &crossing;
     }
   }
 }
 
 bool GapRule::closes(int axis, const ClassifiedCrossing& leaving,
                      const ClassifiedCrossing& entering) const {
-  constexpr double kFacing = -0.9;  // the normals' cosine
-  const Vec3& normal = surface_.planes[leaving.triangle()].normal;
-  if (normal.dot(surface_.planes[entering.triangle()].normal) > kFacing) return false;
-  // Across the gap, not along the edge, which may be nearly parallel to it.
-  const double along = (entering.position() - leaving.position()) * kFractionUnit;
-  const double width = along * std::abs(normal[axis]);
+  if (normal_out(axis, leaving).dot(normal_out(axis, entering)) > kFacing) return false;
   const bool two_parts =
       !part_of_.empty() && part_of_[leaving.triangle()] != part_of_[entering.triangle()];
-  return width <= (two_parts ? widest_ : kNarrow);
+  return width_between(axis, leaving, entering) <= (two_parts ? widest_ : kNarrow);
+}
+
+bool GapRule::leaves_out(int axis, const ClassifiedCrossing& entering,
+                         const ClassifiedCrossing& leaving) const {
+  return surface_.solid_of[entering.triangle()] != surface_.solid_of[leaving.triangle()] &&
+         normal_out(axis, entering).dot(normal_out(axis, leaving)) <= kFacing &&
+         width_between(axis, entering, leaving) <= kNarrow;
+}
+
+// Of one solid, the normal is taken as the triangle's: it points out of it but for some triangles
+// that other inside rules than `kPositive` turn.
+Vec3 GapRule::normal_out(int axis, const ClassifiedCrossing& crossing) const {
+  const TriangleId triangle = crossing.triangle();
+  const Vec3& normal = surface_.planes[triangle].normal;
+  const bool turned = surface_.several_solids() &&
+                      points_up(surface_.triangles[triangle], axis) != crossing.leaving();
+  return turned ? Vec3(-normal) : normal;
+}
+
+// Measures across, not along the edge, which may be nearly parallel to both sides.
+double GapRule::width_between(int axis, const ClassifiedCrossing& low,
+                              const ClassifiedCrossing& high) const {
+  const double along = (high.position() - low.position()) * kFractionUnit;
+  return along * std::abs(surface_.planes[low.triangle()].normal[axis]);
 }
 
 Marks find_open_gaps(const GridData& grid, const std::vector<LatticeBox>& boxes,

@@ -21,19 +21,27 @@ inline double widest_gap(double tolerance) { return std::max(4.0, tolerance / 32
 
 /// Says which gaps are closed, from the two crossings alone, so that all cells agree: those whose
 /// two sides face each other, not those at the bottom of a valley. Between two parts of the surface
-/// gaps up to `widest_gap` are closed, within one part gaps up to four lattice units.
+/// gaps up to `widest_gap` are closed, within one part gaps up to four lattice units. Of several
+/// solids, slivers are left out as well: what two solids leave between their faces, up to four
+/// lattice units thick.
 class GapRule {
  public:
   /// The tolerance is in lattice units. Keeps a reference to the surface.
   GapRule(const Surface& surface, double tolerance);
 
   /// Gives the role `kGap` to the crossings of one edge along `axis` that leave the solid and enter
-  /// it again, where the gap between them is closed. The crossings ascend along the edge.
+  /// it again, where the gap between them is closed, and the role `kSliver` to those that enter and
+  /// leave a sliver. The crossings ascend along the edge.
   void close(int axis, std::span<ClassifiedCrossing> edge) const;
 
  private:
   bool closes(int axis, const ClassifiedCrossing& leaving,
               const ClassifiedCrossing& entering) const;
+  bool leaves_out(int axis, const ClassifiedCrossing& entering,
+                  const ClassifiedCrossing& leaving) const;
+  Vec3 normal_out(int axis, const ClassifiedCrossing& crossing) const;
+  double width_between(int axis, const ClassifiedCrossing& low,
+                       const ClassifiedCrossing& high) const;
 
   const Surface& surface_;
   std::vector<Index> part_of_;  // per triangle; empty if there is one part
@@ -41,8 +49,9 @@ class GapRule {
 };
 
 /// Finds the crossings of the role `kGap` between which a grid vertex lies. The vertex is outside,
-/// for all grid lines through it, so its gap has to stay open: both crossings become hits. Returns
-/// marks per crossing, or none at all if every gap can be closed. `boxes` come from `cell_boxes`.
+/// for all grid lines through it, so its gap has to stay open: both crossings become hits. The same
+/// holds for `kSliver`, where the vertex is inside. Returns marks per crossing, or none at all if
+/// every gap can be closed. `boxes` come from `cell_boxes`.
 /// Takes time linear in the number of cells if some gap reaches across a lattice plane, else in
 /// that of the crossings.
 Marks find_open_gaps(const GridData& grid, const std::vector<LatticeBox>& boxes,

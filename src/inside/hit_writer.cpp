@@ -14,6 +14,7 @@ HitWriter::HitWriter(const Surface& surface, std::size_t expected_hits, GridData
   triangle_of_hit_.reserve(expected_hits);
   grid.planes.clear();
   grid.source_faces.clear();
+  grid.source_operands.clear();
 }
 
 void HitWriter::add(const SplittingEdge& edge, const ClassifiedCrossing& crossing) {
@@ -43,6 +44,9 @@ PlaneId HitWriter::plane_of(TriangleId triangle, bool turned) {
     const Plane& plane = surface_.planes[triangle];
     grid_.planes.push_back(turned ? Plane{-plane.normal, -plane.offset} : plane);
     grid_.source_faces.push_back(surface_.source_faces[triangle]);
+    if (surface_.has_operands()) {
+      grid_.source_operands.push_back(surface_.operand_of_solid[surface_.solid_of[triangle]]);
+    }
   }
   return number;
 }
@@ -51,6 +55,7 @@ std::vector<TriangleId> HitWriter::finish() {
   grid_.hits.shrink_to_fit();
   grid_.planes.shrink_to_fit();
   grid_.source_faces.shrink_to_fit();
+  grid_.source_operands.shrink_to_fit();
   return std::move(triangle_of_hit_);
 }
 

@@ -2,10 +2,9 @@
 // Defines the interface through which construction asks what lies inside the solid.
 //
 // Every grid vertex has a state, an `int` that only the model understands. With winding numbers it
-// is the winding number itself. Boolean operations will have a winding number for each operand at
-// every point; they will number the combinations that occur and use these numbers as states. Then
-// only the two functions `state_after` and `is_inside` (inside/winding.h) have to change. The state
-// must depend on the position of the vertex alone, so that all cells with the vertex agree on it.
+// is the winding number itself; of several solids it stands for one winding number each
+// (inside/solid_states.h). The state must depend on the position of the vertex alone, so that all
+// cells with the vertex agree on it.
 #pragma once
 
 #include <optional>
@@ -14,6 +13,7 @@
 #include "inside/crossing.h"
 #include "inside/hit_writer.h"
 #include "kdmanifold/grid.h"
+#include "mesh/marks.h"
 
 namespace kdm {
 
@@ -36,12 +36,25 @@ class InsideModel {
   /// counts returns it, other models may ignore it.
   virtual int state_at(const LatticePoint& vertex, int counted) = 0;
 
-  /// Tells whether points of this state are inside, where states are winding numbers that may be
-  /// counted along any path: `state_after` (inside/winding.h) says how they change from one side of
-  /// a triangle to the other. Other models return nothing.
+  /// Tells whether points of this state are inside, where states may be counted along any path from
+  /// one side of a triangle to the other. Other models return nothing.
   virtual std::optional<bool> is_inside(int state) const {
     static_cast<void>(state);
     return std::nullopt;
+  }
+
+  /// Returns the state beyond a triangle, for models that count: `leaving` says whether the way
+  /// leads out of its front.
+  virtual int state_after(int state, TriangleId triangle, bool leaving) {
+    static_cast<void>(triangle);
+    return state + (leaving ? -1 : 1);
+  }
+
+  /// Of several solids: given those with faces in a cell, and the state of one of the cell's
+  /// corners, unmarks the solids whose faces bound nothing in it.
+  virtual void keep_relevant(int state, Marks& solids) {
+    static_cast<void>(state);
+    static_cast<void>(solids);
   }
 
   /// Sorts the crossings `found` on an edge by their position, classifies them, and appends them to

@@ -106,12 +106,17 @@ void find_planes(const InputFaces& faces, const std::vector<Vec3>& exact, Surfac
 
 Surface prepare_surface(const Mesh& mesh, const BuildOptions& options) {
   InputFaces faces = prepare_faces(mesh, options);
+  const Lattice lattice = lattice_over(faces.bounds);
+  return surface_of(std::move(faces), lattice, options.inside == InsideRule::kSheet);
+}
+
+Surface surface_of(InputFaces faces, const Lattice& lattice, bool sheet) {
   Surface surface;
-  surface.sheet = options.inside == InsideRule::kSheet;
+  surface.sheet = sheet;
   surface.repair = faces.repair;
   surface.patched = !faces.patch_planes.empty();
   surface.report = faces.report;
-  surface.lattice = lattice_over(faces.bounds);
+  surface.lattice = lattice;
   surface.report.lattice_step = surface.lattice.step;
   surface.extent = faces.report.extent;
   const LatticePoints points = to_lattice(faces, surface.lattice);

@@ -28,11 +28,17 @@ struct Surface {
   Marks degenerate;   ///< triangles without area on the lattice: no grid line crosses them
   Topology topology;  ///< which sides of the triangles are joined
   InputReport report;
+  /// Of a Boolean operation: per triangle the number of its solid, and per solid the number of the
+  /// operand that the user gave (kNone: it was invented). Otherwise empty.
+  std::vector<Index> solid_of;
+  std::vector<Index> operand_of_solid;
   bool sheet = false;    ///< it bounds no solid
   bool patched = false;  ///< some of its triangles close holes, and may cross the others
   bool repair = false;   ///< it is to bound a solid, but it is not closed or its triangles do not
                          ///< face consistently
 
+  bool has_operands() const { return !operand_of_solid.empty(); }
+  bool several_solids() const { return operand_of_solid.size() > 1; }
   /// Returns whether sides of triangles may lack an opposite.
   bool has_rims() const { return sheet || repair; }
 };
@@ -41,5 +47,8 @@ struct Surface {
 /// prepare/input_faces.h), rounds them to the lattice and turns a solid that is inside out. Throws
 /// `kInvalidMesh` and `kNotClosed`. Takes time linear in the number of faces, apart from sorting.
 Surface prepare_surface(const Mesh& mesh, const BuildOptions& options = {});
+
+/// Rounds prepared faces to a lattice that holds them, and turns a solid that is inside out.
+Surface surface_of(InputFaces faces, const Lattice& lattice, bool sheet);
 
 }  // namespace kdm

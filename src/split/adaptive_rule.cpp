@@ -55,9 +55,17 @@ std::size_t budget_of_fine_splits(const Surface& surface, double tolerance) {
   return kFineSplits + kFineSplitsPerTriangle * surface.triangles.size();
 }
 
+// Where solids cross, the crease between them is met more closely than the rest: it is a curve, so
+// that costs little, and where it bends or ends there are no thin chips.
+double shared_tolerance(const Surface& surface, double tolerance) {
+  constexpr double kCreaseShare = 0.25;
+  if (!surface.several_solids()) return tolerance;
+  return std::max(kCreaseShare * tolerance, kFinestTolerance);
+}
+
 class AdaptiveRule : public SplitRule {
  public:
-  AdaptiveRule(const Surface& surface, const InsideModel& model, double tolerance, int max_depth,
+  AdaptiveRule(const Surface& surface, InsideModel& model, double tolerance, int max_depth,
                CutPosition position)
       : surface_(surface),
         counts_states_(model.is_inside(0).has_value()),
@@ -66,7 +74,7 @@ class AdaptiveRule : public SplitRule {
         position_(position),
         parts_(surface),
         surface_in_cell_(surface),
-        fit_(surface, tolerance_),
+        fit_(surface, tolerance_, shared_tolerance(surface, tolerance_)),
         topology_(surface),
         contact_points_(surface),
         inner_triangles_(surface, model, widest_gap(tolerance)),
@@ -167,7 +175,7 @@ class AdaptiveRule : public SplitRule {
         return some_cross;
       }
     } else if (some_cross && surface_in_cell_.triangles.size() <= kManyTriangles) {
-      inner_triangles_.find(surface_in_cell_, cell.state);
+      inner_triangles_.find(surface_in_cell_, cell.state, crossing);
     }
     must_bound_.assign(pieces.all().size());
     for (MemberId m = 0; counts_states_ && m < surface_in_cell_.triangles.size(); ++m) {
@@ -253,7 +261,7 @@ class AdaptiveRule : public SplitRule {
 
 }  // namespace
 
-std::unique_ptr<SplitRule> make_adaptive_rule(const Surface& surface, const InsideModel& model,
+std::unique_ptr<SplitRule> make_adaptive_rule(const Surface& surface, InsideModel& model,
                                               double tolerance, int depth, CutPosition position) {
   return std::make_unique<AdaptiveRule>(surface, model, tolerance, depth, position);
 }

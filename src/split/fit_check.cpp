@@ -35,6 +35,7 @@ bool FitCheck::is_clear_misfit(const LatticeBox& box, std::span<const ListEntry>
 }
 
 bool FitCheck::pieces_fit(const CellSurface& cell, LeafVertices vertices) {
+  limit_ = vertices == LeafVertices::kOneForAll ? shared_tolerance_ : tolerance_;
   hits_.assign_pieces(cell);
   const std::span<const Piece> pieces = cell.pieces.all();
   if (vertices == LeafVertices::kOneForAll && hits_.empty()) return nothing_bounds(cell);
@@ -69,7 +70,7 @@ bool FitCheck::corners_meet_planes(const CellSurface& cell, LeafVertices vertice
     const ClippedPolygon part = clip_to_box(cell.triangles.corners(m), cell.triangles.cell());
     for (int i = 0; i < part.size; ++i) {
       if (cell.is_inner_at(m, i)) continue;
-      if (!hits_.meets_a_plane(part.corners[i], piece, tolerance_)) return false;
+      if (!hits_.meets_a_plane(part.corners[i], piece, limit_)) return false;
     }
   }
   return true;
@@ -128,29 +129,28 @@ Vec3 FitCheck::planned_vertex(const LatticeBox& box, PieceId piece) const {
     for (const Plane& plane : rim_planes_) largest = std::max(largest, plane.distance(x));
     return largest;
   };
-  return minimiser_within(quadric, to_vec3(box.lo), to_vec3(box.hi), tolerance_, largest_distance)
+  return minimiser_within(quadric, to_vec3(box.lo), to_vec3(box.hi), limit_, largest_distance)
       .point;
 }
 
 bool FitCheck::is_near_planes(const Vec3& vertex) const {
-  return std::all_of(
-             triangles_.begin(), triangles_.end(),
-             [&](TriangleId t) { return surface_.planes[t].distance(vertex) <= tolerance_; }) &&
+  return std::all_of(triangles_.begin(), triangles_.end(),
+                     [&](TriangleId t) { return surface_.planes[t].distance(vertex) <= limit_; }) &&
          std::all_of(rim_planes_.begin(), rim_planes_.end(),
-                     [&](const Plane& plane) { return plane.distance(vertex) <= tolerance_; });
+                     [&](const Plane& plane) { return plane.distance(vertex) <= limit_; });
 }
 
 bool FitCheck::is_near_triangles(const Vec3& vertex) const {
   return std::any_of(triangles_.begin(), triangles_.end(), [&](TriangleId t) {
     const auto& [a, b, c] = surface_.triangles[t];
-    return squared_distance(vertex, to_vec3(a), to_vec3(b), to_vec3(c)) <= tolerance_ * tolerance_;
+    return squared_distance(vertex, to_vec3(a), to_vec3(b), to_vec3(c)) <= limit_ * limit_;
   });
 }
 
 // A vertex within the tolerance of two faces may be further from the edge between them. Tells
 // whether the vertex is near a sharp edge of the piece, or beside none.
 bool FitCheck::is_near_sharp_edge(const Vec3& vertex, const CellSurface& cell) const {
-  const double limit = kSharpEdgeShare * tolerance_;
+  const double limit = kSharpEdgeShare * limit_;
   bool beside = false;
   for (const TriangleId triangle : triangles_) {
     for (int i = 0; i < 3; ++i) {

@@ -29,7 +29,10 @@ enum class LeafVertices {
 /// Tests cell after cell. All lengths are lattice units.
 class FitCheck {
  public:
-  FitCheck(const Surface& surface, double tolerance) : surface_(surface), tolerance_(tolerance) {}
+  FitCheck(const Surface& surface, double tolerance) : FitCheck(surface, tolerance, tolerance) {}
+  /// Where one vertex stands for all pieces it must fit them within `shared_tolerance`.
+  FitCheck(const Surface& surface, double tolerance, double shared_tolerance)
+      : surface_(surface), tolerance_(tolerance), shared_tolerance_(shared_tolerance) {}
 
   /// Plans the hits of the cell that is tested next.
   void plan_hits(const LatticeBox& box, const CellCrossings& crossings) {
@@ -62,6 +65,8 @@ class FitCheck {
 
   const Surface& surface_;
   double tolerance_;
+  double shared_tolerance_;
+  double limit_ = 0;  // the one of the two that counts
   PlannedHits hits_;
   // Of the piece whose vertex is tested:
   std::vector<TriangleId> triangles_;

@@ -32,34 +32,73 @@ LatticePoint nearest_in(const LatticeBox& box, const Vec3& point) {
 
 }  // namespace
 
-void InnerTriangles::find(CellSurface& surface_in_cell, int state) {
+void InnerTriangles::find(CellSurface& surface_in_cell, int state, const Marks& crossing) {
   const CellTriangles& cell = surface_in_cell.triangles;
   cell_ = &cell;
   state_ = state;
   surface_in_cell.inner.assign(cell.size(), {});
+  find_members_apart(crossing);
   for (MemberId m = 0; m < cell.size(); ++m) {
-    if (surface_.degenerate.test(cell.triangle(m))) {
-      surface_in_cell.inner[m].all = true;
-      continue;
-    }
-    const ClippedPolygon part = clip_to_box(cell.corners(m), cell.cell());
-    if (part.size == 0) continue;
-    Vec3 middle = Vec3::Zero();
-    for (int i = 0; i < part.size; ++i) middle += part.corners[i];
-    middle /= part.size;
     InnerPart& inner = surface_in_cell.inner[m];
-    inner.all = bounds_nothing(m, middle);
-    for (int i = 0; i < part.size; ++i) {
-      const Vec3& corner = part.corners[i];
-      const bool nothing = bounds_nothing(m, corner + kInset * (middle - corner));
-      inner.corners |= nothing ? 1u << i : 0;
-      inner.all = inner.all && nothing;
+    const bool apart = !apart_.empty() && groups_.contains(m);
+    if (apart && groups_.lowest(m) != m) {
+      inner = surface_in_cell.inner[groups_.lowest(m)];
+    } else {
+      look_at(m, inner);
     }
+    if (apart) inner.corners = inner.all ? ~0u : 0;
   }
-  for (const CellCrossing& crossing : surface_in_cell.crossings.all) {
-    const MemberId m = cell.member_of(crossing.triangle);
-    if (crossing.kept && m != kNone) surface_in_cell.inner[m].all = false;
+  for (const CellCrossing& crossing_of_edge : surface_in_cell.crossings.all) {
+    const MemberId m = cell.member_of(crossing_of_edge.triangle);
+    if (crossing_of_edge.kept && m != kNone) surface_in_cell.inner[m].all = false;
   }
+}
+
+// Looks at a member by itself.
+void InnerTriangles::look_at(MemberId member, InnerPart& inner) const {
+  if (surface_.degenerate.test(cell_->triangle(member))) {
+    inner.all = true;
+    return;
+  }
+  const ClippedPolygon part = clip_to_box(cell_->corners(member), cell_->cell());
+  if (part.size == 0) return;
+  Vec3 middle = Vec3::Zero();
+  for (int i = 0; i < part.size; ++i) middle += part.corners[i];
+  middle /= part.size;
+  inner.all = bounds_nothing(member, middle);
+  for (int i = 0; i < part.size; ++i) {
+    const Vec3& corner = part.corners[i];
+    const bool nothing = bounds_nothing(member, corner + kInset * (middle - corner));
+    inner.corners |= nothing ? 1u << i : 0;
+    inner.all = inner.all && nothing;
+  }
+}
+
+void InnerTriangles::find_members_apart(const Marks& crossing) {
+  apart_.clear();
+  if (!surface_.several_solids()) return;
+  for (MemberId m = 0; m < cell_->size(); ++m) {
+    const bool degenerate = surface_.degenerate.test(cell_->triangle(m));
+    if (!degenerate && !crossing.test(m) && !near_another_solid(m)) apart_.push_back(m);
+  }
+  groups_.connect(*cell_, apart_, cell_->cell());
+}
+
+// Tells whether a triangle of another solid may lie where states are looked at.
+bool InnerTriangles::near_another_solid(MemberId member) const {
+  const Index solid = surface_.solid_of[cell_->triangle(member)];
+  const LatticeBox& bounds = cell_->bounds(member);
+  const auto reach = static_cast<std::int32_t>(reach_) + 1;
+  for (MemberId m = 0; m < cell_->size(); ++m) {
+    if (surface_.solid_of[cell_->triangle(m)] == solid) continue;
+    const LatticeBox& other = cell_->bounds(m);
+    bool near = true;
+    for (int i = 0; i < 3; ++i) {
+      near = near && other.lo[i] <= bounds.hi[i] + reach && other.hi[i] + reach >= bounds.lo[i];
+    }
+    if (near) return true;
+  }
+  return false;
 }
 
 bool InnerTriangles::bounds_nothing(MemberId member, const Vec3& point) const {
@@ -76,8 +115,14 @@ bool InnerTriangles::bounds_nothing(MemberId member, const Vec3& point) const {
   if (!lies_before(t, before) || lies_before(t, behind)) return false;  // at the cell's side
   const bool inside_before = inside(before);
   const bool inside_behind = inside(behind);
-  if (inside_before == inside_behind) return inside_before;
+  if (inside_before == inside_behind) return inside_before || solids_coincide(before, behind);
   return inside(beside(inside_before ? -reach_ : reach_));
+}
+
+// Tells of two points outside, on either side of a triangle, whether faces of several solids lie on
+// each other there: then one solid begins where another one is cut off.
+bool InnerTriangles::solids_coincide(const LatticePoint& before, const LatticePoint& behind) const {
+  return surface_.several_solids() && state_at(before) != state_at(behind);
 }
 
 // Follows three grid lines from the cell's lowest corner.
@@ -85,17 +130,17 @@ int InnerTriangles::state_at(const LatticePoint& point) const {
   LatticePoint at = cell_->cell().lo;
   int state = state_;
   for (int axis = 0; axis < 3; ++axis) {
-    state += count_along(axis, at, point[axis]);
+    state = follow(axis, at, point[axis], state);
     at[axis] = point[axis];
   }
   return state;
 }
 
-// Returns how the state changes along a grid line, upwards from a point in the cell.
-int InnerTriangles::count_along(int axis, const LatticePoint& from, std::int32_t to) const {
+// Follows a grid line upwards from a point in the cell that has the given state, and returns the
+// state at the end.
+int InnerTriangles::follow(int axis, const LatticePoint& from, std::int32_t to, int state) const {
   const int u = next_axis(axis);
   const int v = previous_axis(axis);
-  int change = 0;
   for (MemberId m = 0; m < cell_->size(); ++m) {
     const LatticeBox& bounds = cell_->bounds(m);
     if (bounds.lo[axis] > to || bounds.lo[u] > from[u] || bounds.hi[u] < from[u] ||
@@ -107,9 +152,9 @@ int InnerTriangles::count_along(int axis, const LatticePoint& from, std::int32_t
     if (normal == 0) continue;
     const std::int32_t plane = floor_of(crossing_position(t, axis, from[u], from[v]));
     if (plane < from[axis] || plane >= to) continue;
-    change += normal > 0 ? -1 : 1;
+    state = model_.state_after(state, cell_->triangle(m), normal > 0);
   }
-  return change;
+  return state;
 }
 
 }  // namespace kdm

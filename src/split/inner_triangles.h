@@ -5,6 +5,7 @@
 
 #include "inside/inside_model.h"
 #include "split/cell_surface.h"
+#include "split/member_groups.h"
 
 namespace kdm {
 
@@ -16,25 +17,33 @@ namespace kdm {
 class InnerTriangles {
  public:
   /// Gaps up to `widest_gap` lattice units are closed.
-  InnerTriangles(const Surface& surface, const InsideModel& model, double widest_gap)
+  InnerTriangles(const Surface& surface, InsideModel& model, double widest_gap)
       : surface_(surface), model_(model), reach_(widest_gap + kBeside) {}
 
   /// Looks at all members of a cell and writes `cell.inner`. `state` is that of the cell's lowest
-  /// corner. Takes time quadratic in the number of members.
-  void find(CellSurface& cell, int state);
+  /// corner, `crossing` marks the members that cross others. Of several solids, members that hang
+  /// together and are near no other solid have one answer. Takes time quadratic in the number of
+  /// members.
+  void find(CellSurface& cell, int state, const Marks& crossing);
 
  private:
   // How far beside a triangle the states are looked at, lattice units: rounding moves by less.
   static constexpr double kBeside = 2;
 
+  void look_at(MemberId member, InnerPart& inner) const;
+  void find_members_apart(const Marks& crossing);
+  bool near_another_solid(MemberId member) const;
   bool bounds_nothing(MemberId member, const Vec3& point) const;
+  bool solids_coincide(const LatticePoint& before, const LatticePoint& behind) const;
   int state_at(const LatticePoint& point) const;
-  int count_along(int axis, const LatticePoint& from, std::int32_t to) const;
+  int follow(int axis, const LatticePoint& from, std::int32_t to, int state) const;
 
   const Surface& surface_;
-  const InsideModel& model_;
+  InsideModel& model_;
   double reach_;
   const CellTriangles* cell_ = nullptr;
+  std::vector<MemberId> apart_;  // that cross nothing and are near no other solid
+  MemberGroups groups_;          // of these
   int state_ = 0;
 };
 

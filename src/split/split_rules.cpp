@@ -118,8 +118,7 @@ std::int32_t off_gaps(const CellView& cell, const Split& split) {
     for (int e = 4 * split.axis; e < 4 * split.axis + 4; ++e) {
       const EdgeRange edge = cell.edges[e];
       for (Index c = edge.begin; c + 1 < edge.end; ++c) {
-        if (cell.crossings[c].role() != CrossingRole::kGap || !cell.crossings[c].leaving())
-          continue;
+        if (!begins_gap(cell.crossings[c])) continue;
         const std::int32_t low = floor_of(cell.crossings[c].position());
         const Index other = end_of_gap(cell.crossings, c);
         const std::int32_t high = floor_of(cell.crossings[other].position()) + 1;
@@ -133,7 +132,7 @@ std::int32_t off_gaps(const CellView& cell, const Split& split) {
   return fits ? value : split.value;
 }
 
-std::unique_ptr<SplitRule> make_split_rule(const Surface& surface, const InsideModel& model,
+std::unique_ptr<SplitRule> make_split_rule(const Surface& surface, InsideModel& model,
                                            const BuildOptions& options, double tolerance,
                                            int depth) {
   switch (options.strategy) {

@@ -94,14 +94,14 @@ enum class CutPosition {
 
 /// Makes the rule that `options.strategy` names. `tolerance` is in lattice units; cells at depth
 /// `depth` are not split. The rule keeps references to the surface and to the model.
-std::unique_ptr<SplitRule> make_split_rule(const Surface& surface, const InsideModel& model,
+std::unique_ptr<SplitRule> make_split_rule(const Surface& surface, InsideModel& model,
                                            const BuildOptions& options, double tolerance,
                                            int depth);
 
 /// Makes the adaptive rule. It splits cells until the surface in each is met within `tolerance`
 /// (lattice units) and keeps its topology, but no cells at depth `depth`. The rule keeps references
 /// to the surface and to the model.
-std::unique_ptr<SplitRule> make_adaptive_rule(const Surface& surface, const InsideModel& model,
+std::unique_ptr<SplitRule> make_adaptive_rule(const Surface& surface, InsideModel& model,
                                               double tolerance, int depth, CutPosition position);
 
 }  // namespace kdm

@@ -56,6 +56,15 @@ class TriangleLists {
   /// `axis`. The parent's list stays as it is. Takes time linear in the length of the parent's
   /// list.
   Children divide(ListRange parent, int axis, std::int32_t value);
+  /// Keeps those entries of a list whose triangles `keep` asks for, and returns the shorter list.
+  template <typename Keep>
+  ListRange keep_if(ListRange range, const Keep& keep) {
+    Index end = range.begin;
+    for (Index i = range.begin; i < range.end; ++i) {
+      if (keep(arena_[i].triangle)) arena_[end++] = arena_[i];
+    }
+    return {range.begin, end};
+  }
   /// Removes the lists of two children, and all lists that were made after them. `below` is the
   /// list of the lower child.
   void release(ListRange below) { size_ = below.begin; }

@@ -56,19 +56,24 @@ export async function meshoptimizer(mesh, resolution, flags = []) {
   return { mesh: weld(soup), seconds };
 }
 
-let manifoldModule;
+let loadedManifold;
+
+/** The module of manifold-3d. */
+export async function manifoldModule() {
+  if (loadedManifold === undefined) {
+    const { default: Module } = await import('manifold-3d');
+    loadedManifold = await Module();
+    loadedManifold.setup();
+  }
+  return loadedManifold;
+}
 
 /**
  * manifold-3d takes closed manifold input only and gives it back as it is: a lower bound. With `union` its parts are
  * joined first.
  */
 export async function manifold3d(mesh, { union = false } = {}) {
-  if (manifoldModule === undefined) {
-    const { default: Module } = await import('manifold-3d');
-    manifoldModule = await Module();
-    manifoldModule.setup();
-  }
-  const { Manifold, Mesh } = manifoldModule;
+  const { Manifold, Mesh } = await manifoldModule();
   const start = now();
   let manifold;
   try {
@@ -94,7 +99,7 @@ export async function manifold3d(mesh, { union = false } = {}) {
 }
 
 function joined(manifold) {
-  const { Manifold } = manifoldModule;
+  const { Manifold } = loadedManifold;
   const parts = manifold.decompose();
   manifold.delete();
   const union = Manifold.union(parts);

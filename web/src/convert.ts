@@ -3,11 +3,15 @@
 // there are no workers.
 import { isReduced } from './check-combination.js';
 import type { CheckedReduce, CheckedReduction } from './check-input.js';
+import type { Grid } from './grid.js';
+import type { RawMade } from './kdmanifold.js';
 import type { KdManifold } from './library.js';
 import { pick } from './pick.js';
 import { outputKeys } from './reports.js';
-import { plainShares, reducedShares, type MakeStep } from './steps.js';
+import type { Solids } from './solids.js';
+import { plainShares, reducedShares, type MakeStep, type StepOptions } from './steps.js';
 import type {
+  Account,
   BuildOptions,
   Conversion,
   ExtractOptions,
@@ -21,10 +25,13 @@ import type {
 const makeShare = 0.9;
 const describeShare = 0.02;
 
-/** What is to be made a manifold of, and how. */
+/** What is converted: a mesh, or several solids that are joined. Both have been checked. */
+export type Subject = { mesh: MeshInput } | Solids;
+
+/** What is to be made a manifold of, and how. Solids that are joined are neither reduced nor compared. */
 export interface ConvertOrder {
   type: 'convert';
-  mesh: MeshInput;
+  subject: Subject;
   build: BuildOptions;
   extract: ExtractOptions;
   reduction: CheckedReduction;
@@ -64,40 +71,57 @@ class Laps {
   }
 }
 
+// Makes the mesh, and the grid that must be freed.
+function make(
+  library: KdManifold,
+  { subject, build, extract, reduction }: ConvertOrder,
+  { onProgress, onStep }: StepOptions,
+): RawMade & { grid: Grid } {
+  if ('mesh' in subject) {
+    const shares = isReduced(reduction, build, extract) ? reducedShares : plainShares;
+    const options = { ...build, ...extract, ...reduction };
+    return library.make(subject.mesh, options, shares, { onProgress, onStep });
+  }
+  const part = (step: MakeStep): ProgressCallback | undefined => {
+    const [from, to] = plainShares[step] ?? [0, 1];
+    return onProgress && ((fraction, phase) => onProgress(from + (to - from) * fraction, phase));
+  };
+  onStep?.('build');
+  const grid = library.joinSolids(subject, build, part('build'));
+  return grid.make(extract, { reduce: false }, { onProgress: part('extract'), onStep });
+}
+
 // Makes the mesh, describes it and holds it against the input.
 function convert(
   library: KdManifold,
-  { mesh, build, extract, reduction, check }: ConvertOrder,
+  order: ConvertOrder,
   onProgress?: ProgressCallback,
 ): Conversion {
+  const { subject, check } = order;
   const laps = new Laps();
-  const { grid, levels, reduce, stats, report, ...result } = library.make(
-    mesh,
-    { ...build, ...extract, ...reduction },
-    isReduced(reduction, build, extract) ? reducedShares : plainShares,
-    {
-      ...(onProgress && {
-        onProgress: (fraction, phase) => onProgress(makeShare * fraction, phase),
-      }),
-      onStep: (step) => laps.begin(step),
-    },
-  );
+  const { grid, levels, reduce, stats, report, ...result } = make(library, order, {
+    ...(onProgress && {
+      onProgress: (fraction, phase) => onProgress(makeShare * fraction, phase),
+    }),
+    onStep: (step) => laps.begin(step),
+  });
   laps.begin();
   try {
     const described = library.describe(result);
     onProgress?.(makeShare + describeShare, 'compare');
-    const { lost, error, warnings } = grid.compare(mesh, result, { error: check });
+    const { warnings = [], ...account }: Partial<Account> =
+      'mesh' in subject ? grid.compare(subject.mesh, result, { error: check }) : {};
     onProgress?.(1, 'done');
     return {
       mesh: result,
       levels,
       report: {
         input: grid.input,
+        ...('mesh' in subject ? {} : { operands: grid.operands }),
         grid: stats,
         output: pick({ ...described, ...report }, outputKeys),
         reduce,
-        lost,
-        error,
+        ...account,
         warnings: [...warnings, ...report.warnings],
         seconds: laps.seconds,
         peakBytes: library.memory().heapBytes,

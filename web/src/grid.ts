@@ -59,6 +59,11 @@ export class Grid {
     return this.#demand().input();
   }
 
+  /** What the operands of Boolean operations are; empty if the grid was built from one mesh. */
+  get operands(): InputReport[] {
+    return this.#demand().operands();
+  }
+
   /** The size of the grid. */
   get stats(): GridStats {
     return this.#demand().stats();
@@ -100,17 +105,26 @@ export class Grid {
     return call(this.#health, options.onProgress, (progress) => raw.extract(checked, progress));
   }
 
-  /** @internal Makes the result of a loaded grid as the command lines do: reduced if the grid was built for it. */
+  /**
+   * @internal Makes the result of a loaded grid as the command lines do: reduced if the grid was built for it. Frees the
+   * grid if that fails.
+   */
   make(
     extract: ExtractOptions,
     reduction: CheckedReduction,
     { onProgress, onStep }: StepOptions,
-  ): RawMade {
+  ): RawMade & { grid: Grid } {
     const raw = this.#demand();
     const options = { ...extract, ...reduction };
-    return call(this.#health, onProgress, (progress) =>
-      raw.make(options, stepsOf(progress, {}, onStep)),
-    );
+    try {
+      const made = call(this.#health, onProgress, (progress) =>
+        raw.make(options, stepsOf(progress, {}, onStep)),
+      );
+      return { ...made, grid: this };
+    } catch (error) {
+      this.delete();
+      throw error;
+    }
   }
 
   /**

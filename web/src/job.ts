@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What all calls that work in a worker are told, and the copies of a mesh that a worker may have.
-import { checkMesh, type CheckedMesh } from './check-input.js';
-import { buffersOf } from './convert.js';
+import type { CheckedMesh } from './check-input.js';
 import { aborted, KdManifoldError } from './errors.js';
 import { checkSource, sourceKeys, type LoadOptions, type WorkerOptions } from './load-options.js';
 import type { Signal } from './outside-types.js';
-import type { MeshInput, ProgressOptions } from './types.js';
+import type { ProgressOptions } from './types.js';
 import type { Job } from './worker/pool.js';
 
 /** Where to work, how to be told and stopped. */
@@ -27,11 +26,8 @@ export function refuse(name: string, expected: string): never {
   throw new KdManifoldError('INVALID_OPTION', `${name}: expected ${expected}`);
 }
 
-/** @internal Checks these options and the mesh, and returns the job, still without its order, and the mesh for it. */
-export function jobOf(
-  mesh: MeshInput,
-  options: JobOptions,
-): Omit<Job, 'order'> & { mesh: MeshInput } {
+/** @internal Checks these options, and returns the job, still without its order and what goes with it. */
+export function jobOf(options: JobOptions): Omit<Job, 'order' | 'transfer'> {
   const { onProgress, signal, transfer = false } = options;
   const source = checkSource(options);
   if (typeof transfer !== 'boolean') refuse('transfer', 'true or false');
@@ -42,13 +38,17 @@ export function jobOf(
     refuse('signal', 'an AbortSignal');
   }
   if (signal?.aborted) throw aborted(signal);
-  const input = separate(checkMesh(mesh), transfer);
-  return { mesh: input, transfer: buffersOf(input), source, signal, onProgress };
+  return { source, signal, onProgress };
 }
 
-// Makes arrays that the worker may have: copies, so that the caller may go on changing the originals,
-// or, with `transfer`, the originals. Of a large buffer only the part in view is sent.
-function separate(mesh: CheckedMesh, transfer: boolean): MeshInput {
+/**
+ * @internal Makes a mesh of arrays that the worker may have: copies, so that the caller may go on changing the originals,
+ * or, with `transfer`, the originals. Of a large buffer only the part in view is sent.
+ */
+export function ownMesh(
+  mesh: CheckedMesh,
+  { transfer = false }: JobOptions,
+): Pick<CheckedMesh, 'positions' | 'indices' | 'sourceFaces'> {
   const copy = <T extends CheckedMesh['positions'] | NonNullable<CheckedMesh['indices']>>(
     array: T,
   ): T => {

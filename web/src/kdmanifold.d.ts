@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The types of what Emscripten generates from wasm/bindings.cpp. Only library.ts and grid.ts see them.
 import type { ErrorCode } from './errors.js';
+import type { Solid } from './solids.js';
 import type { MakeStep } from './steps.js';
 import type {
   Account,
@@ -40,6 +41,7 @@ export interface RawGrid {
   save(): Answer<Uint8Array<ArrayBuffer>>;
   stats(): GridStats;
   input(): InputReport;
+  operands(): InputReport[];
   delete(): void;
 }
 
@@ -51,6 +53,12 @@ export interface RawInstance {
 
 export interface RawModule extends RawInstance {
   buildGrid(mesh: PolygonMeshInput, options: object, progress: RawProgress): Answer<RawGrid>;
+  buildBooleanGrid(
+    operands: Solid[],
+    expression: Int32Array,
+    options: object,
+    progress: RawProgress,
+  ): Answer<RawGrid>;
   makeManifold(
     mesh: PolygonMeshInput,
     options: object,

@@ -11,10 +11,12 @@ import {
 } from './check-input.js';
 import { toDefects } from './defects.js';
 import { KdManifoldError } from './errors.js';
+import type { BooleanExpression, BooleanOperation } from './expression.js';
 import { Grid } from './grid.js';
 import type { RawTools } from './kdmanifold-tools.js';
 import type { RawGrid, RawMade, RawModule } from './kdmanifold.js';
 import type { OwnUint8Array } from './outside-types.js';
+import { checkSolids, solidKeys, type SolidOptions, type Solids } from './solids.js';
 import { reducedShares, stepsOf, type Shares, type StepOptions } from './steps.js';
 import type {
   AnalyzeOptions,
@@ -27,6 +29,7 @@ import type {
   MeshReport,
   ParsedMesh,
   PolygonMeshInput,
+  ProgressCallback,
   ProgressOptions,
   ReduceOptions,
   SelfIntersections,
@@ -150,7 +153,7 @@ export class KdManifold {
     options: BuildOptions & ExtractOptions & CheckedReduction,
     shares: Shares,
     { onProgress, onStep }: StepOptions,
-  ): Omit<RawMade, 'grid'> & { grid: Grid } {
+  ): RawMade & { grid: Grid } {
     const input = checkMesh(mesh);
     const { grid, ...made } = call(this.#health, onProgress, (progress) =>
       this.#raw.makeManifold(input, options, stepsOf(progress, shares, onStep)),
@@ -185,6 +188,45 @@ export class KdManifold {
     return call(this.#health, options.onProgress, (progress) =>
       this.#raw.simplifyMesh(input, checked, stepsOf(progress, reducedShares)),
     );
+  }
+
+  /**
+   * Builds the grid of what an expression says of several meshes, each of which is prepared as `buildGrid` does; faces
+   * on faces leave nothing behind. `boolean` does the same in a worker, and extracts.
+   *
+   * @param expression - an operation, which joins all operands from left to right, or an expression over their numbers
+   * @param operands - the meshes; their arrays are read, not kept
+   * @param options - how to split, where the operands go, what counts as inside, and a callback for progress
+   * @returns the grid, which holds memory until `delete()`
+   * @throws {@link KdManifoldError} with `INVALID_MESH`, `INVALID_OPTION`, `NOT_CLOSED`, `OUT_OF_MEMORY`, `ABORTED`
+   *
+   * @example
+   * ```js
+   * import { load } from 'kdmanifold';
+   *
+   * const part = { positions, indices };
+   * const grid = (await load()).buildBooleanGrid(['union', 0, ['intersection', 0, 1]], [part, part]);
+   * const mesh = grid.extract({ strict: 'embedded' });
+   * console.log(mesh.sourceOperands.length === mesh.indices.length / 3); // true
+   * grid.delete();
+   * ```
+   */
+  buildBooleanGrid(
+    expression: BooleanOperation | BooleanExpression,
+    operands: readonly MeshInput[],
+    options: BuildOptions & SolidOptions & ProgressOptions = {},
+  ): Grid {
+    const checked = checkBuildOptions(options, ['onProgress', ...solidKeys]);
+    return this.joinSolids(checkSolids(expression, operands, options), checked, options.onProgress);
+  }
+
+  /** @internal The same for what has been checked. */
+  joinSolids(subject: Solids, build: BuildOptions, onProgress?: ProgressCallback): Grid {
+    const { solids, expression } = subject;
+    const raw = call(this.#health, onProgress, (progress) =>
+      this.#raw.buildBooleanGrid(solids, expression, build, progress),
+    );
+    return Grid.of(raw, this.#registry, this.#health);
   }
 
   /**

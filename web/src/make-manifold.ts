@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The one call for most people.
-import { checkBuildOptions, checkExtractOptions, checkReductionOptions } from './check-input.js';
-import { jobKeys, jobOf, refuse, type JobOptions } from './job.js';
+import {
+  checkBuildOptions,
+  checkExtractOptions,
+  checkMesh,
+  checkReductionOptions,
+} from './check-input.js';
+import { buffersOf } from './convert.js';
+import { jobKeys, jobOf, ownMesh, refuse, type JobOptions } from './job.js';
 import { buildOptions, extractOptions, reductionOptions } from './options.js';
 import type {
   BuildOptions,
@@ -59,9 +65,11 @@ export async function makeManifold(
   const reduction = checkReductionOptions(options, build, extract, others);
   const { check = false } = options;
   if (typeof check !== 'boolean') refuse('check', 'true or false');
-  const { mesh: input, ...job } = jobOf(mesh, options);
+  const job = jobOf(options);
+  const input = ownMesh(checkMesh(mesh), options);
   return submit({
     ...job,
-    order: { type: 'convert', mesh: input, build, extract, reduction, check },
+    transfer: buffersOf(input),
+    order: { type: 'convert', subject: { mesh: input }, build, extract, reduction, check },
   });
 }

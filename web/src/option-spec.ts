@@ -10,7 +10,7 @@ export type OptionSpec = {
   | NumberSpec
   | { kind: 'boolean'; default: boolean }
   | { kind: 'numbers'; least: number }
-  | { kind: 'text'; shortName?: string }
+  | { kind: 'text'; shortName?: string; repeats?: boolean }
 );
 
 /** @internal A number; without `most` and `below` any finite one that is large enough. */

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Reduces a mesh in a worker.
-import { checkReduceOptions } from './check-input.js';
-import { jobKeys, jobOf, type JobOptions } from './job.js';
+import { checkMesh, checkReduceOptions } from './check-input.js';
+import { buffersOf } from './convert.js';
+import { jobKeys, jobOf, ownMesh, type JobOptions } from './job.js';
 import type { MeshInput, ReduceOptions, Simplification } from './types.js';
 import { submit } from './worker/pool.js';
 
@@ -33,6 +34,11 @@ export async function simplifyMesh(
   options: SimplifyMeshOptions,
 ): Promise<Simplification> {
   const reduce = checkReduceOptions(options, jobKeys);
-  const { mesh: input, ...job } = jobOf(mesh, options);
-  return submit({ ...job, order: { type: 'simplify', mesh: input, reduce } });
+  const job = jobOf(options);
+  const input = ownMesh(checkMesh(mesh), options);
+  return submit({
+    ...job,
+    transfer: buffersOf(input),
+    order: { type: 'simplify', mesh: input, reduce },
+  });
 }

@@ -74,6 +74,11 @@ export interface Mesh {
   /** The input face behind each face: one entry a triangle, then one a quad. */
   sourceFaces: OwnUint32Array;
   /**
+   * The operand whose face each entry of `sourceFaces` names; only after Boolean operations. 4294967295 stands for the
+   * box in which a complement was taken.
+   */
+  sourceOperands?: OwnUint32Array;
+  /**
    * Unit normals for shading, nine numbers per triangle (three per corner), then twelve per quad; only
    * with the option `normals`. Vertices on a crease are not doubled: `kdmanifold/three` does that.
    */
@@ -177,14 +182,16 @@ export interface CompareOptions {
 /** The account of one conversion. */
 export interface Report {
   input: InputReport;
+  /** Of Boolean operations: what each operand is; `input` has the sums. */
+  operands?: InputReport[];
   grid: GridStats;
   output: OutputReport;
   /** How the result was reduced; null: it was not. */
   reduce: ReduceReport | null;
-  /** What of the input the result does not come near. */
-  lost: LostArea;
-  /** How far result and input are apart; null without the option `check`. */
-  error: MeshError | null;
+  /** What of the input the result does not come near. Not of Boolean operations. */
+  lost?: LostArea;
+  /** How far result and input are apart; null without the option `check`. Not of Boolean operations. */
+  error?: MeshError | null;
   /** What one should know before one trusts the mesh, the gravest first. */
   warnings: Warning[];
   /** Wall-clock time of the steps. */
@@ -200,7 +207,7 @@ export interface Simplification extends Simplified {
   report: Simplified['report'] & Pick<Report, 'peakBytes' | 'thread'> & { seconds: number };
 }
 
-/** What `makeManifold` gives. */
+/** What `makeManifold` and `boolean` give. */
 export interface Conversion {
   /** The result; the last level, if there are several. */
   mesh: Mesh;

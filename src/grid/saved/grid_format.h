@@ -15,7 +15,7 @@
 //                      turned faces and parts, components, patched holes, lost and stray parts
 //            2 n       of the grid: unresolved leaves, guessed faces
 //            u8        1: input closed, 2: input flipped, 4: topology resolved, 8: a sheet's grid,
-//                      16: the input's nesting is known
+//                      16: the input's nesting is known, 32: of several operands
 //            5 f64     of the input: area of patches and of lost parts, of the largest lost one,
 //                      sewing distance, extent
 //   sizes    n, n      splits, hits
@@ -39,6 +39,11 @@
 //            a rim: n, 3 f64, 3 f64  half-edge less that of the rim before, less 1; point; normal
 //   corners  n         their number
 //            a corner: n, 3 f64  as a rim's, without normal
+//   operands  only of several:
+//            n         their number
+//            an operand: n and f64  its report, as reports.h lists the values: counts and flags as
+//                      n, measures as f64
+//            a plane: n  the number of its operand; of none, the number of operands
 //
 // What follows from this is not stored: boxes, active sides, whether hits are reversed, a solid's
 // links of two hits, links across strips, and where half-edges start.
@@ -63,7 +68,7 @@ inline constexpr std::uint64_t kMostSplits = (1u << 30) - 1;
 inline constexpr Index kManyHits = 3;
 
 inline constexpr unsigned kClosed = 1, kFlipped = 2, kTopologyResolved = 4, kSheet = 8;
-inline constexpr unsigned kNestingKnown = 16;
+inline constexpr unsigned kNestingKnown = 16, kSeveralOperands = 32;
 inline constexpr unsigned kBelowIsSplit = 1, kAboveIsSplit = 2, kStray = 4;
 
 inline std::uint64_t checksum(std::string_view bytes) {

@@ -18,6 +18,7 @@
 #include "io/bytes.h"
 #include "kdmanifold/error.h"
 #include "kdmanifold/grid_io.h"
+#include "kdmanifold/reports.h"
 #include "text/compose.h"
 
 namespace kdm {
@@ -80,7 +81,7 @@ class GridReader {
     }
     bytes_.require(1, 1, "flags");
     const auto flags = bytes_.take_unsigned<std::uint8_t>();
-    if (flags >= 2 * format::kNestingKnown) {
+    if (flags >= 2 * format::kSeveralOperands) {
       bytes_.fail("there are no such flags");
     }
     input.closed = (flags & format::kClosed) != 0;
@@ -88,6 +89,7 @@ class GridReader {
     input.lattice_step = grid_.lattice.step;
     grid_.stats.topology_resolved = (flags & format::kTopologyResolved) != 0;
     grid_.sheet = (flags & format::kSheet) != 0;
+    several_operands_ = (flags & format::kSeveralOperands) != 0;
     input.nesting_known = (flags & format::kNestingKnown) != 0;
     for (double* measure : {&input.patch_area, &input.lost_area, &input.largest_lost,
                             &input.sewing_distance, &input.extent}) {
@@ -222,11 +224,34 @@ class GridReader {
     links.finish();
     links.read_rims();
     links.read_corners();
+    if (several_operands_) read_operands();
     if (bytes_.bytes_left() > 0) bytes_.fail("the grid ends here, but not the file");
+  }
+
+  void read_operands() {
+    constexpr std::size_t kLeastBytes = 64;  // of a report: its measures alone take 48
+    const auto operands = take_index(kAnyIndex, "the number of operands");
+    if (operands == 0) bytes_.fail("there are no operands");
+    bytes_.require(operands, kLeastBytes, "operand");
+    grid_.operands.resize(operands);
+    for (InputReport& operand : grid_.operands) {
+      for_each_field(operand, [&](const ReportField&, auto& value) { take_value(value); });
+    }
+    bytes_.require(grid_.planes.size(), 1, "plane's operand");
+    for (std::size_t i = 0; i < grid_.planes.size(); ++i) {
+      const Index operand = take_index(operands, "a plane's operand");
+      grid_.source_operands.push_back(operand == operands ? kNone : operand);
+    }
+  }
+  void take_value(Index& count) { count = take_index(kAnyIndex, "a count of the report"); }
+  void take_value(bool& flag) { flag = take_index(1, "a flag of the report") != 0; }
+  void take_value(double& measure) {
+    measure = take_real(bytes_, 0, std::numeric_limits<double>::max(), "a measure of the report");
   }
 
   ByteReader& bytes_;
   GridData& grid_;
+  bool several_operands_ = false;
   std::vector<LatticeBox> boxes_;
   std::int64_t source_before_ = 0;  // the source face of the last plane read
 };

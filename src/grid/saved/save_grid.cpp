@@ -12,6 +12,7 @@
 #include "io/bytes.h"
 #include "kdmanifold/error.h"
 #include "kdmanifold/grid_io.h"
+#include "kdmanifold/reports.h"
 #include "mesh/marks.h"
 
 namespace kdm {
@@ -35,6 +36,7 @@ class GridWriter {
     append_bits();
     write_rims();
     write_corners();
+    write_operands();
     return std::move(out_);
   }
 
@@ -57,12 +59,13 @@ class GridWriter {
           grid_.stats.unresolved_leaves, grid_.stats.guessed_faces}) {
       append_varint(out_, count);
     }
-    append_u8(out_,
-              static_cast<std::uint8_t>(
-                  (input.closed ? format::kClosed : 0) | (input.flipped ? format::kFlipped : 0) |
-                  (grid_.stats.topology_resolved ? format::kTopologyResolved : 0) |
-                  (grid_.sheet ? format::kSheet : 0) |
-                  (input.nesting_known ? format::kNestingKnown : 0)));
+    append_u8(
+        out_,
+        static_cast<std::uint8_t>(
+            (input.closed ? format::kClosed : 0) | (input.flipped ? format::kFlipped : 0) |
+            (grid_.stats.topology_resolved ? format::kTopologyResolved : 0) |
+            (grid_.sheet ? format::kSheet : 0) | (input.nesting_known ? format::kNestingKnown : 0) |
+            (grid_.operands.empty() ? 0 : format::kSeveralOperands)));
     for (const double measure : {input.patch_area, input.lost_area, input.largest_lost,
                                  input.sewing_distance, input.extent}) {
       append_f64(out_, measure);
@@ -186,6 +189,20 @@ class GridWriter {
   void write_corners() {
     write_kept(grid_.corners, [&](const KeptCorner& corner) { write_vector(corner.point); });
   }
+
+  void write_operands() {
+    if (grid_.operands.empty()) return;
+    append_varint(out_, grid_.operands.size());
+    for (const InputReport& operand : grid_.operands) {
+      for_each_field(operand, [&](const ReportField&, const auto& value) { write_value(value); });
+    }
+    for (const Index operand : grid_.source_operands) {
+      append_varint(out_, operand == kNone ? grid_.operands.size() : operand);
+    }
+  }
+  void write_value(Index count) { append_varint(out_, count); }
+  void write_value(bool flag) { append_varint(out_, flag ? 1 : 0); }
+  void write_value(double measure) { append_f64(out_, measure); }
 
   // Writes what is kept for some half-edges, in ascending order of these: the half-edge of each
   // one, then the rest by `write`.

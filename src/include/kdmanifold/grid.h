@@ -106,6 +106,9 @@ class Grid {
   const GridStats& stats() const;
   /// Returns what the grid was built from.
   const InputReport& input() const;
+  /// Returns what the operands of a Boolean operation are, in their order; `input` is then the sum.
+  /// Empty if the grid was built from one mesh.
+  const std::vector<InputReport>& operands() const;
 
   /// Returns the representation, for the library's own algorithms; not part of the interface.
   const GridData& data() const;

@@ -5,6 +5,7 @@
 
 #include "kdmanifold/account.h"
 #include "kdmanifold/analyze.h"
+#include "kdmanifold/boolean.h"
 #include "kdmanifold/build.h"
 #include "kdmanifold/error.h"
 #include "kdmanifold/extract.h"

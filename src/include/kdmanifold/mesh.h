@@ -21,6 +21,9 @@ struct Mesh {
   /// Unit normals for shading, or empty: three a triangle in the order of its corners, then four a
   /// quad. `extract` makes them on request; of the file formats, OBJ keeps them.
   std::vector<std::array<float, 3>> corner_normals;
+  /// After a Boolean operation: the operand whose face each entry of `source_faces` names; kNone
+  /// for the box within which a complement was taken. Otherwise empty.
+  std::vector<Index> source_operands = {};
 };
 
 /// Counts over the mesh as an index mesh: two faces meet where they use the same vertex numbers.

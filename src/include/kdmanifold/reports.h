@@ -4,6 +4,9 @@
 // entry here.
 #pragma once
 
+#include <concepts>
+#include <type_traits>
+
 #include "kdmanifold/account.h"
 #include "kdmanifold/analyze.h"
 #include "kdmanifold/extract.h"
@@ -19,10 +22,11 @@ struct OrNone {
   Index number;
 };
 
-/// Calls `visit(const ReportField&, const member&)` for every value, in the order in which reports
-/// list them.
-template <typename Visit>
-void for_each_field(const InputReport& report, Visit&& visit) {
+/// Calls `visit(const ReportField&, member)` for every value, in the order in which reports list
+/// them; members are const if the report is.
+template <typename Report, typename Visit>
+requires std::same_as<std::remove_const_t<Report>, InputReport>
+void for_each_field(Report& report, Visit&& visit) {
   visit(ReportField{"vertices", "After joining vertices of exactly equal position"},
         report.vertices);
   visit(ReportField{"triangles", "Triangles of the input"}, report.triangles);

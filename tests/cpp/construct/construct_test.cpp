@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "construct/budget.h"
+#include "inside/make_inside_model.h"
 #include "support/shapes.h"
 
 namespace kdm {
@@ -25,7 +26,8 @@ TEST(Construct, HitsKnowTheirTriangles) {
     const Surface surface = prepare_surface(mesh, options);
     const std::size_t planes_before = surface.planes.size();
     GridData grid;
-    const ConstructedCells made = construct_cells(surface, options, 1000, 12, {}, grid);
+    const ConstructedCells made = construct_cells(
+        surface, *make_inside_model(surface, options, 1000), options, 1000, 12, {}, grid);
     EXPECT_EQ(made.tolerance, 1000);
     EXPECT_EQ(surface.planes.size(), planes_before);
     ASSERT_EQ(made.triangle_of_hit.size(), grid.hits.size());

@@ -122,11 +122,13 @@ TEST_F(Cli, HelpListsTheOptions) {
     EXPECT_EQ(options, (std::set<std::string>{"--check",
                                               "--crease-angle",
                                               "--depth",
+                                              "--difference",
                                               "--force",
                                               "--format",
                                               "--help",
                                               "--input-format",
                                               "--inside",
+                                              "--intersection",
                                               "--json",
                                               "--largest-hole",
                                               "--link-error",
@@ -147,9 +149,12 @@ TEST_F(Cli, HelpListsTheOptions) {
                                               "--stats",
                                               "--strategy",
                                               "--strict",
+                                              "--symmetric-difference",
                                               "--target-triangles",
                                               "--thicken",
                                               "--tolerance",
+                                              "--transform",
+                                              "--union",
                                               "--version",
                                               "--winding-threshold"}));
     EXPECT_NE(outcome.out.find("adaptive|octree|feature|median|uniform"), std::string::npos);
@@ -382,6 +387,21 @@ TEST_F(Cli, EveryOptionHasAnEffect) {
     const Json json = report(base + "median --pairing " + pairing);
     EXPECT_EQ(json["output"]["twoManifold"], true) << pairing;
   }
+}
+
+TEST_F(Cli, MeshesAreJoinedFromLeftToRight) {
+  write("bar.stl", shapes::box(Vec3(0, 0, 0), Vec3(1, 1, 3)));
+  const Json json = report(
+      "cube.obj --union bar.stl --transform 1,0,0,0,0,1,0,0,0,0,1,0.5 --difference bar.stl "
+      "--transform=0.5,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1 -o out.obj --check");
+  EXPECT_EQ(keys(json), (Names{"input", "operands", "grid", "output", "warnings", "check",
+                               "seconds", "peakBytes"}));
+  ASSERT_EQ(json["operands"].size(), 3u);
+  EXPECT_EQ(keys(json["operands"][2]), keys(json["input"]));
+  EXPECT_EQ(json["input"]["triangles"], 36);
+  EXPECT_EQ(json["output"]["twoManifold"], true);
+  EXPECT_EQ(json["output"]["crossings"], 0) << "embedded, unless something else is asked for";
+  EXPECT_NEAR(json["output"]["volume"].get<double>(), 1 * 1 * 3.5 - 0.5 * 3, 0.01);
 }
 
 TEST_F(Cli, ASavedGridIsAsGoodAsItsMesh) {

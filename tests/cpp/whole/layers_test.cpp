@@ -40,6 +40,7 @@ const std::vector<std::string> kRooms = {"include/kdmanifold",
                                          "extract/mend",
                                          "extract/embed",
                                          "extract",
+                                         "csg",
                                          "reduce",
                                          "make",
                                          "account"};

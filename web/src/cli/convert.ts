@@ -4,10 +4,11 @@ import { checkFolderOf, checkTarget, makeFolder, readAll, writeAll } from './fil
 import { inputFormat, inputName, outputFormat, type FileFormat } from './formats.js';
 import { readGlb, type GlbScene } from './glb-read.js';
 import { writeGlb } from './glb-write.js';
-import { converts, withTypedNames, type Command } from './options.js';
+import { converts, joinsSolids, withTypedNames, type Command } from './options.js';
 import { levelPath, type Task } from './plan.js';
 import type { ProgressLine } from './progress.js';
 import type { CliReport } from './report.js';
+import { buildSolids, readSolids } from './solids.js';
 import { KdManifoldError } from '../errors.js';
 import type { Grid } from '../grid.js';
 import type { RawMade } from '../kdmanifold.js';
@@ -120,18 +121,13 @@ async function work(
   const { seconds } = report;
   const lap = stopwatch();
   const steps = stepsOf(progress, lap, seconds);
-  let made: Omit<RawMade, 'grid'> & { grid: Grid };
+  let made: RawMade & { grid: Grid };
   let input: MeshInput | undefined;
   progress.show('reading');
   if (formats.input === undefined) {
     const grid = library.loadGrid(await readAll(task.input), task.input);
     seconds.read = lap();
-    try {
-      made = { ...grid.make(command.extract, command.reduction, steps), grid };
-    } catch (error) {
-      grid.delete();
-      throw error;
-    }
+    made = grid.make(command.extract, command.reduction, steps);
     seconds.build = 0;
   } else {
     const { mesh, warnings } = await readMesh(library, task.input, formats.input);
@@ -143,9 +139,21 @@ async function work(
       seconds.analyze = lap();
     }
     if (!converts(command)) return report;
-    input = mesh;
-    const options = { ...command.build, ...command.extract, ...command.reduction };
-    made = library.make(mesh, options, {}, steps);
+    if (joinsSolids(command)) {
+      const files = readSolids(command, inputName(task.input));
+      const scenes: GlbScene[] = [{ mesh, warnings: [] }];
+      for (const { path } of files.slice(1)) {
+        scenes.push(await readMesh(library, path, inputFormat(path, undefined)));
+      }
+      report.warnings.push(...scenes.flatMap((scene) => scene.warnings));
+      steps.onStep?.('build');
+      const grid = buildSolids(library, command, files, scenes, steps.onProgress);
+      made = grid.make(command.extract, { reduce: false }, steps);
+    } else {
+      input = mesh;
+      const options = { ...command.build, ...command.extract, ...command.reduction };
+      made = library.make(mesh, options, {}, steps);
+    }
   }
   const { grid, levels, reduce, stats, report: account, ...mesh } = made;
   try {
@@ -169,6 +177,7 @@ async function work(
     report.warnings.push(...losses, ...warnings);
     report.result = {
       input: grid.input,
+      operands: grid.operands,
       grid: stats,
       output: { ...described, ...checked },
       ...(reduce && { reduce }),
@@ -191,7 +200,9 @@ function messageOf(error: unknown, command: Command, task: Task): string {
   let message = withTypedNames(command, error instanceof Error ? error.message : String(error));
   const code = error instanceof KdManifoldError ? error.code : undefined;
   const name = inputName(task.input);
-  if (code === 'IO_ERROR' || message.startsWith(`${name}: `)) return message;
+  const names = (file: string): boolean => message.startsWith(`${file}: `);
+  if (code === 'IO_ERROR' || names(name)) return message;
+  if (command.solids.some(({ value }) => names(value))) return message;
   if (code === 'INVALID_OPTION') {
     const [option = ''] = /^[^ :]*/.exec(message) ?? [];
     const flag = `--${option.replace(/_/g, '-').replace(/[A-Z]/g, (c) => `-${c.toLowerCase()}`)}`;

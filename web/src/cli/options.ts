@@ -3,7 +3,8 @@
 // src/cli/options.cpp does, word for word.
 import { standardStream, type FileFormat } from './formats.js';
 import { didYouMean, nearest } from './suggest.js';
-import { fileOptions, reportOptions } from './table.js';
+import { readSolids } from './solids.js';
+import { fileOptions, reportOptions, solidOptions } from './table.js';
 import { uselessOfBuild, uselessOfExtract, uselessReduction } from '../check-combination.js';
 import type { CheckedReduction } from '../check-input.js';
 import { KdManifoldError } from '../errors.js';
@@ -30,6 +31,14 @@ export interface ReportOptions {
   quiet?: boolean;
 }
 
+/** An option that may be given several times, as it was given. */
+export interface RepeatedArgument {
+  flag: string;
+  /** The flag as the user has typed it. */
+  typed: string;
+  value: string;
+}
+
 /** What the command line asks for. */
 export interface Command {
   /** Paths of meshes or of saved grids, `-`, and patterns. */
@@ -39,11 +48,16 @@ export interface Command {
   build: BuildOptions;
   extract: ExtractOptions;
   reduction: CheckedReduction;
+  /** Operands of a Boolean operation beside INPUT, and where they go. */
+  solids: RepeatedArgument[];
   /** Options that are given: how, by their flags. */
   typed: Map<string, string>;
   /** Print this instead of working. */
   answer?: 'help' | 'version';
 }
+
+/** Says whether INPUT is an operand of a Boolean operation. */
+export const joinsSolids = ({ solids }: Command): boolean => solids.length > 0;
 
 /** Says whether something is to be written. */
 export const writes = ({ output, outDir, saveGrid }: FileOptions): boolean =>
@@ -86,6 +100,7 @@ function entriesOf(command: Command): Entry[] {
   return [
     ...of(fileOptions, command.files),
     ...of(reportOptions, command.report),
+    ...Object.values(solidOptions).map((spec) => ({ flag: spec.flag, spec, set: () => {} })),
     ...of(buildOptions, command.build),
     ...of(extractOptions, command.extract),
     ...of(reductionOptions, command.reduction),
@@ -140,14 +155,16 @@ function scan(args: string[], command: Command): void {
       if (first) entry.set(!entry.spec.default);
       continue;
     }
-    if (!first) usageError(`${name}: is given twice`);
+    const repeats = entry.spec.kind === 'text' && entry.spec.repeats === true;
+    if (!first && !repeats) usageError(`${name}: is given twice`);
     // What looks like an option is none's value: that one was forgotten.
     if (equals < 0 && (at === args.length || args[at]?.startsWith('--'))) {
       usageError(`${name}: the value is missing`);
     }
-    entry.set(
-      readValue(name, entry.spec, equals < 0 ? (args[at++] ?? '') : argument.slice(equals + 1)),
-    );
+    const text = equals < 0 ? (args[at++] ?? '') : argument.slice(equals + 1);
+    const value = readValue(name, entry.spec, text);
+    if (repeats) command.solids.push({ flag: entry.flag, typed: name, value: text });
+    else entry.set(value);
   }
 }
 
@@ -220,6 +237,14 @@ function checkCombination(command: Command): void {
   if (files.outDir !== undefined && files.saveGrid !== undefined) {
     refuse('--out-dir', `not together with ${asTyped(command, '--save-grid')}`);
   }
+  readSolids(command);
+  if (joinsSolids(command)) {
+    for (const flag of ['--no-reduce', '--target-triangles']) {
+      if (command.typed.has(flag)) {
+        refuse(flag, 'not with Boolean operations, whose results are not reduced');
+      }
+    }
+  }
   if (command.typed.has('--no-strict') && command.typed.has('--strict')) {
     refuse('--no-strict', `not together with ${asTyped(command, '--strict')}`);
   }
@@ -251,6 +276,7 @@ export function readCommand(args: string[]): Command {
     build: {},
     extract: {},
     reduction: {},
+    solids: [],
     typed: new Map(),
   };
   // Whatever else is wrong: who asks for help gets it.
@@ -260,5 +286,9 @@ export function readCommand(args: string[]): Command {
   if (asked.includes('--version')) return { ...command, answer: 'version' };
   scan(args, command);
   checkCombination(command);
+  const strictGiven = command.typed.has('--strict') || command.typed.has('--no-strict');
+  if (joinsSolids(command) && !strictGiven && !command.extract.quads) {
+    command.extract.strict = 'embedded';
+  }
   return command;
 }

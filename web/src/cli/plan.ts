@@ -7,6 +7,7 @@ import { expand, isPattern } from './glob.js';
 import { asTyped, usageError, type Command } from './options.js';
 import { namesAGrid } from '../library.js';
 import { buildOptions } from '../options.js';
+import { solidOptions } from './table.js';
 
 /** One input and its result. */
 export interface Task {
@@ -52,7 +53,7 @@ function checkNumber(command: Command, count: number): void {
 
 function checkGrid(command: Command, input: string): void {
   if (command.report.stats) refuse(command, '--stats', `${input} is a grid, which has no faces`);
-  for (const { flag } of Object.values(buildOptions)) {
+  for (const { flag } of [...Object.values(buildOptions), ...Object.values(solidOptions)]) {
     if (command.typed.has(flag)) refuse(command, flag, `the grid in ${input} is built already`);
   }
 }

@@ -31,13 +31,14 @@ export interface CliReport {
   /** What was made; not if --stats is all that is asked for. */
   result?: {
     input: InputReport;
+    operands: InputReport[];
     grid: GridStats;
     output: MeshReport & ExtractReport & { selfIntersections?: number };
     /** Unless nothing was reduced. */
     reduce?: ReduceReport;
     /** With --target-triangles. */
     levels?: Level[];
-    /** Unless the input is a grid; the error with --check only. */
+    /** Only of one mesh that was the input; the error with --check only. */
     lost?: LostArea;
     error?: MeshError | null;
   };
@@ -58,6 +59,7 @@ export function reportAsJson(report: CliReport, command: Command): object {
   return {
     input: result?.input ?? (defects && inputOf(defects)),
     defects: defects && pick(countsOf(defects), defectKeys),
+    operands: result?.operands.length ? result.operands : undefined,
     grid: result && {
       ...result.grid,
       unresolvedPositions: triples(result.grid.unresolvedPositions),
@@ -132,7 +134,7 @@ function countsOf(defects: MeshDefects): Counts {
 export function reportAsText(report: CliReport, command: Command, task: Task): string {
   const { defects, result } = report;
   const lines = report.warnings.map(({ message }) => `warning  ${message}`);
-  if (result) lines.push(...inputLines(result.input, task));
+  if (result) lines.push(...inputLines(result.input, result.operands.length, task));
   else if (defects) lines.push(inputLine(defects.report, task));
   if (defects) lines.push(...defectLines(defects));
   if (result) lines.push(...resultLines(result, command, task));
@@ -146,8 +148,11 @@ const inputLine = (input: Sizes, task: Task): string =>
   `input    ${inputName(task.input)}: ${input.vertices} vertices, ${input.triangles} triangles, ` +
   `${input.components} parts`;
 
-function inputLines(input: InputReport, task: Task): string[] {
-  const lines = [`${inputLine(input, task)}${input.flipped ? ', turned inside out' : ''}`];
+function inputLines(input: InputReport, operands: number, task: Task): string[] {
+  const lines = [
+    `${inputLine(input, task)}${operands > 0 ? `, ${operands} operands` : ''}` +
+      (input.flipped ? ', turned inside out' : ''),
+  ];
   if (input.degenerateFaces + input.cancelledFaces > 0) {
     lines.push(
       `         ${input.degenerateFaces} faces without area and ${input.cancelledFaces} ` +

@@ -25,6 +25,15 @@ export const reportOptions: Record<string, OptionSpec> = {
   quiet: { flag: '--quiet', kind: 'boolean', default: false },
 };
 
+/** @internal */
+export const solidOptions: Record<string, OptionSpec> = {
+  union: { flag: '--union', kind: 'text', repeats: true },
+  intersection: { flag: '--intersection', kind: 'text', repeats: true },
+  difference: { flag: '--difference', kind: 'text', repeats: true },
+  symmetricDifference: { flag: '--symmetric-difference', kind: 'text', repeats: true },
+  transform: { flag: '--transform', kind: 'text', repeats: true },
+};
+
 /** What --help prints. */
 export const helpText = [
   'Makes a closed, oriented 2-manifold mesh of any mesh.',
@@ -54,6 +63,16 @@ export const helpText = [
   '  --quiet                   print nothing but errors',
   '  --version                 print the version',
   '  -h, --help                print this',
+  '',
+  'Boolean operations (then --strict is embedded unless it is given):',
+  '  --union FILE              join a mesh to INPUT and to what came of the options before; each of',
+  '                            these may be given several times, and they are done from left to right',
+  '  --intersection FILE       keep what lies in this mesh too',
+  '  --difference FILE         cut this mesh off',
+  '  --symmetric-difference FILE',
+  '                            keep what lies either in this mesh or in what was there, but not in both',
+  '  --transform M             where the mesh goes that was named last, at first INPUT: 12 numbers with',
+  '                            commas between them, the rows of a matrix of 3 by 4, or 16',
   '',
   'How a mesh becomes a grid:',
   '  --strategy adaptive|octree|feature|median|uniform',

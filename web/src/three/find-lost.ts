@@ -21,7 +21,8 @@ export interface LostTriangles {
  * @param from - What the mesh was made of.
  * @param report - That of `makeManifold`, or what `Grid.compare` returned.
  * @returns One entry for each object, or instance of one, that lacks triangles in whole or part, in the order
- * in which `fromObject3D` found them. Empty if nothing is missing.
+ * in which `fromObject3D` found them. Empty if nothing is missing, and for reports of Boolean operations, which do not
+ * say it.
  * @throws KdManifoldError `INVALID_MESH` if `from` is not what it was made as.
  * @example
  * ```ts
@@ -37,7 +38,8 @@ export function findLost(from: SourcedMesh, { lost }: Pick<Report, 'lost'>): Los
   return parts
     .map(({ object, geometry, instance, firstTriangle }, i) => {
       const end = parts[i + 1]?.firstTriangle ?? materialIndices.length;
-      const triangles = lost.faces.filter((face) => face >= firstTriangle && face < end);
+      const inPart = (face: number): boolean => face >= firstTriangle && face < end;
+      const triangles = lost?.faces.filter(inPart) ?? new Uint32Array();
       return { object, geometry, instance, triangles };
     })
     .filter(({ triangles }) => triangles.length > 0);

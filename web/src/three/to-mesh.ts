@@ -56,6 +56,7 @@ export function toMesh(
 
 // Without the faces, which would fill files and mean nothing in another scene.
 function accountOf({ lost, error, warnings }: NonNullable<ToMeshOptions['report']>): object {
+  if (!lost) return { warnings };
   const { area, parts, largest, share, innerArea } = lost;
   return { lost: { area, parts, largest, share, innerArea }, error, warnings };
 }

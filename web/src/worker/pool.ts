@@ -12,7 +12,7 @@ import { converse } from './converse.js';
 import type { WorkerPort } from './protocol.js';
 import { start } from './start.js';
 
-/** One conversion. Nobody else holds the arrays of its mesh. */
+/** One conversion. Nobody else holds the arrays of its meshes. */
 export interface Job {
   order: Order;
   transfer: ArrayBuffer[];

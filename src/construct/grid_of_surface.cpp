@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "construct/grid_of_surface.h"
+
+#include "construct/construct.h"
+#include "grid/count_stats.h"
+#include "kdmanifold/error.h"
+#include "kdmanifold/options.h"
+#include "link/corners.h"
+#include "link/link.h"
+#include "mesh/progress.h"
+
+namespace kdm {
+namespace {
+
+// What later steps take for the tolerance where cells were made without one, as a fraction of the
+// bounding box's diagonal.
+constexpr double kUsualTolerance = BuildOptions().relative_tolerance;
+
+// Returns the depth that no cell goes beyond.
+int depth_limit(const BuildOptions& options) {
+  constexpr int kUniformDepth = 18;
+  if (options.depth != 0) return options.depth;
+  return options.strategy == SplitStrategy::kUniform ? kUniformDepth : kMaxDepth;
+}
+
+}  // namespace
+
+double lattice_tolerance(const Surface& surface, const BuildOptions& options) {
+  return tolerance_of(options, surface.extent) / surface.lattice.step;
+}
+
+std::unique_ptr<GridData> grid_of_surface(const Surface& surface, InsideModel& model,
+                                          const BuildOptions& options, double tolerance,
+                                          const Progress& progress) {
+  auto grid = std::make_unique<GridData>();
+  grid->sheet = surface.sheet;
+  grid->inside = options.inside;
+  grid->thickness = options.thicken;
+  grid->lattice = surface.lattice;
+  grid->input = surface.report;
+  report_progress(progress, 0.1, "build");
+  const ConstructedCells made =
+      construct_cells(surface, model, options, tolerance, depth_limit(options),
+                      part_of_progress(progress, 0.1, 0.8), *grid);
+  grid->stats.asked_tolerance = tolerance_of(options, surface.extent);
+  grid->tolerance =
+      made.tolerance > 0 ? made.tolerance : kUsualTolerance * surface.extent / surface.lattice.step;
+  report_progress(progress, 0.8, "link");
+  if (surface.repair && grid->hits.empty()) {
+    throw Error(ErrorCode::kNotClosed,
+                "the surface encloses nothing: it is open, and no point lies behind it on most "
+                "sides; thicken it, or take it as a sheet");
+  }
+  link_half_edges(surface, made.triangle_of_hit, options.pairing, *grid);
+  keep_corners(surface, made.triangle_of_hit, *grid);
+  count_stats(*grid);
+  GridStats& stats = grid->stats;
+  for (Vec3& p : stats.unresolved_positions) p = grid->lattice.to_model(p);
+  stats.topology_resolved = stats.topology_resolved && stats.guessed_faces == 0 && !surface.repair;
+  report_progress(progress, 1.0, "link");
+  return grid;
+}
+
+}  // namespace kdm

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// Prepares the operands of an expression, each by itself, and builds the grid of the result.
+#include <new>
+#include <utility>
+
+#include "construct/grid_of_surface.h"
+#include "csg/prepare_operand.h"
+#include "inside/make_inside_model.h"
+#include "inside/solids_model.h"
+#include "kdmanifold/boolean.h"
+#include "kdmanifold/error.h"
+#include "kdmanifold/options.h"
+#include "mesh/boxes.h"
+#include "mesh/progress.h"
+#include "prepare/joined_solids.h"
+#include "text/compose.h"
+
+namespace kdm {
+namespace {
+
+// The twelve triangles of a box.
+Mesh box_mesh(const Box& box) {
+  Mesh mesh;
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    mesh.positions.emplace_back(((corner & 1) != 0 ? box.max : box.min)[0],
+                                ((corner & 2) != 0 ? box.max : box.min)[1],
+                                ((corner & 4) != 0 ? box.max : box.min)[2]);
+  }
+  for (Index axis = 0; axis < 3; ++axis) {
+    const Index w = 1u << axis;
+    const Index u = 1u << (axis + 1) % 3;
+    const Index v = 1u << (axis + 2) % 3;
+    mesh.triangles.insert(mesh.triangles.end(), {{0, u + v, u}, {0, v, u + v}});
+    mesh.triangles.insert(mesh.triangles.end(), {{w, w + u, w + u + v}, {w, w + u + v, w + v}});
+  }
+  return mesh;
+}
+
+// Marks the operands that the expression names.
+Marks named_operands(const Expression& expression, std::size_t operands) {
+  Marks named(operands);
+  for (const Expression::Node& node : expression.nodes()) {
+    if (node.kind != Expression::Kind::kOperand) continue;
+    if (node.first >= operands) {
+      throw Error(ErrorCode::kInvalidOption,
+                  compose("expression: it names operand {}, but there are {}, counted from 0",
+                          node.first, operands));
+    }
+    named.set(node.first);
+  }
+  return named;
+}
+
+// Tells whether the expression holds for points far away from all operands.
+bool holds_far_away(const Expression& expression) {
+  const std::vector<Index> operands(expression.operands(), 0);
+  return SolidFunction(expression, operands).value(Marks(1));
+}
+
+// A solid by itself is no more than a mesh, and comes out like one.
+std::unique_ptr<InsideModel> model_of(const JoinedSolids& joined, SolidFunction function,
+                                      BuildOptions options) {
+  const double tolerance = lattice_tolerance(joined.surface, options);
+  Marks inside(joined.rules.size());
+  inside.set(0);
+  if (!joined.surface.several_solids() && function.value(inside)) {
+    options.inside = joined.rules[0];
+    return make_inside_model(joined.surface, options, tolerance);
+  }
+  return make_solids_model(joined.surface, SolidStates(std::move(function), joined.rules),
+                           tolerance);
+}
+
+}  // namespace
+
+Grid build_csg_grid(const std::vector<Operand>& operands, const Expression& expression,
+                    const BuildOptions& options, const Progress& progress) try {
+  check_options(options);
+  const Marks named = named_operands(expression, operands.size());
+  report_progress(progress, 0.0, "prepare");
+  std::vector<SolidFaces> solids;
+  std::vector<Index> solid_of_operand(operands.size() + 1, kNone);  // and of the box
+  for (Index i = 0; i < operands.size(); ++i) {
+    if (!named.test(i)) continue;
+    solid_of_operand[i] = static_cast<Index>(solids.size());
+    const double count = static_cast<double>(operands.size());
+    solids.push_back(
+        prepare_operand(operands[i], i, options,
+                        part_of_progress(progress, 0.1 * i / count, 0.1 * (i + 1) / count)));
+  }
+  const std::size_t given = solids.size();
+  Expression whole = expression;
+  if (holds_far_away(expression)) {
+    Box bounds;
+    for (const SolidFaces& solid : solids) {
+      grow(bounds, solid.faces.bounds.min);
+      grow(bounds, solid.faces.bounds.max);
+    }
+    whole = intersection(expression, static_cast<Index>(operands.size()));
+    solid_of_operand.back() = static_cast<Index>(solids.size());
+    solids.push_back({prepare_faces(box_mesh(bounds), {.inside = InsideRule::kPositive}),
+                      InsideRule::kPositive, kNone});
+  }
+  JoinedSolids joined = join_solids(solids);
+  for (Index& solid : solid_of_operand) {
+    if (solid != kNone) solid = joined.solid_of_given[solid];
+  }
+  const std::unique_ptr<InsideModel> model =
+      model_of(joined, SolidFunction(whole, solid_of_operand), options);
+  std::vector<InputReport> reports(operands.size());
+  for (std::size_t i = 0; i < given; ++i) reports[solids[i].operand] = solids[i].faces.report;
+  joined.surface.report = sum_of(reports);
+  joined.surface.report.extent = joined.surface.extent;
+  joined.surface.report.lattice_step = joined.surface.lattice.step;
+  std::unique_ptr<GridData> grid = grid_of_surface(
+      joined.surface, *model, options, lattice_tolerance(joined.surface, options), progress);
+  grid->operands = std::move(reports);
+  return Grid(std::move(grid));
+} catch (const std::bad_alloc&) {
+  throw Error(ErrorCode::kOutOfMemory, "there is not enough memory to build the grid");
+}
+
+}  // namespace kdm

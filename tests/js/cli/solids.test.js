@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// Boolean operations on both command lines: the same files, the same words.
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { load } from '../../../dist/index.js';
+import { cube, faults, torus, volume } from '../support/meshes.js';
+import { both, programs, withoutNumbers, writeMesh } from '../support/programs.js';
+import { withFolder } from '../support/paths.js';
+
+let kdm;
+beforeAll(async () => {
+  kdm = await load();
+});
+
+test('operations are done from left to right, each file where its transform puts it', () =>
+  withFolder((folder) => {
+    writeMesh(kdm, join(folder, 'a.obj'), cube());
+    writeMesh(kdm, join(folder, 'b.stl'), cube());
+    const args = ['a.obj', '--union', 'b.stl', '--transform', '1,0,0,1,0,1,0,0,0,0,1,0'];
+    args.push('--difference', 'b.stl', '--transform=1,0,0,0,0,1,0,1,0,0,1,0,0,0,0,1', '--check');
+    const made = programs.map(([name, run]) => {
+      const { status, stdout, stderr } = run([...args, '-o', `${name}.obj`], { cwd: folder });
+      expect({ status, stderr }).toEqual({ status: 0, stderr: '' });
+      expect(stdout).toContain(', 3 operands');
+      return withoutNumbers(stdout).replaceAll(name, '');
+    });
+    expect(made[1]).toBe(made[0]);
+    const [native, node] = programs.map(([name]) => readFileSync(join(folder, `${name}.obj`)));
+    expect(node.equals(native)).toBe(true);
+    const mesh = kdm.parseMesh(native, 'obj');
+    expect(faults(mesh)).toEqual([]);
+    expect(volume(mesh)).toBeCloseTo(12 - 4, 2);
+  }));
+
+test('the report has one part an operand, in JSON', () =>
+  withFolder((folder) => {
+    writeMesh(kdm, join(folder, 'a.obj'), torus());
+    writeMesh(kdm, join(folder, 'b.obj'), cube());
+    const args = ['a.obj', '--symmetric-difference', 'b.obj', '--intersection', 'a.obj', '--json'];
+    const [native, node] = both(args, { cwd: folder }).map(({ stdout }) => JSON.parse(stdout));
+    expect(native.operands.map(({ triangles }) => triangles)).toEqual([1024, 12, 1024]);
+    expect(node.operands).toEqual(native.operands);
+    expect(node.output).toEqual(native.output);
+    expect(native.output.crossings).toBe(0); // embedded
+  }));
+
+test('both refuse the same in the same words', () =>
+  withFolder((folder) => {
+    writeMesh(kdm, join(folder, 'a.obj'), cube());
+    for (const args of [
+      ['a.obj', '--difference', 'a.obj'],
+      ['a.obj', '--union', 'missing.obj'],
+      ['a.obj', '--union', '-'],
+      ['a.obj', '--union', 'a.kdgrid'],
+      ['a.obj', '--union'],
+      ['a.obj', '--union='],
+      ['a.obj', '--transform', '1,2,3'],
+      ['a.obj', '--transform', '1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,2'],
+      ['a.obj', '--union', 'a.obj', '--transform', '1,0,0,x,0,1,0,0,0,0,1,0'],
+      ['a.obj', '--union', 'a.obj', '--transform', '1,0,0,0,0,1,0,0,0,0,0,0'],
+      ['a.obj', '--transform', '1,0,0,0,0,1,0,0,0,0,1,0', '--transform', '1,0,0,0,0,1,0,0,0,0,1,0'],
+      ['a.obj', '--union', 'a.obj', '--inside', 'sheet'],
+      ['a.obj', '--union', 'a.obj', '--target-triangles', '20'],
+      ['a.obj', '--union', 'a.obj', '--noReduce'],
+    ]) {
+      const [native, node] = both(args, { cwd: folder });
+      expect(native.status).toBe(2);
+      expect(node).toEqual(native);
+      expect(native.stderr.trim().split('\n')).toHaveLength(1);
+    }
+  }));
