@@ -20,6 +20,7 @@ EMSCRIPTEN_BINDINGS(kdmanifold) {
   function("buildBooleanGrid", &kdm::wasm::build_boolean_grid);
   function("loadGrid", &kdm::wasm::load_grid);
   function("makeManifold", &kdm::wasm::make_manifold);
+  function("makeSolids", &kdm::wasm::make_solids);
   function("simplifyMesh", &kdm::wasm::simplify_mesh);
   function("thicken", &kdm::wasm::thicken);
   function("describe", &kdm::wasm::describe);

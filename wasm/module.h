@@ -16,30 +16,42 @@ inline val build_grid(val mesh, val options, val progress) {
   });
 }
 
-/// `operands` is an array of meshes that may have a `transform` of 16 numbers, column by column,
-/// and the word of an inside rule; `expression` is in postfix order: numbers of operands, and below
-/// zero operations (-1 union, -2 intersection, -3 difference, -4 symmetric difference, -5
-/// complement). The wrapper has checked it.
+/// The operands of a Boolean operation, with the meshes that they refer to.
+struct Solids {
+  std::vector<Mesh> meshes;
+  std::vector<Operand> operands;
+};
+
+/// Takes over an array of meshes that may have a `transform` of 16 numbers, column by column, and
+/// the word of an inside rule.
+inline Solids to_solids(val operands) {
+  const std::size_t count = length(operands);
+  Solids solids;
+  solids.meshes.resize(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const val operand = operands[i];
+    solids.meshes[i] = to_mesh(operand);
+    Operand& given = solids.operands.emplace_back(solids.meshes[i]);
+    const val transform = operand["transform"];
+    if (present(transform)) {
+      Eigen::Matrix4d matrix;
+      copy_in(transform, 16, matrix.data());
+      given.transform = matrix.topRows<3>();
+    }
+    const val inside = operand["inside"];
+    if (present(inside)) given.inside = to_choice<InsideRule>(inside, "inside");
+  }
+  return solids;
+}
+
+/// `expression` is in postfix order: numbers of operands, and below zero operations (-1 union, -2
+/// intersection, -3 difference, -4 symmetric difference, -5 complement). The wrapper has checked
+/// it.
 inline val build_boolean_grid(val operands, val expression, val options, val progress) {
   return guard([&] {
-    const std::size_t count = length(operands);
-    std::vector<Mesh> meshes(count);
-    std::vector<Operand> given;
-    for (std::size_t i = 0; i < count; ++i) {
-      const val operand = operands[i];
-      meshes[i] = to_mesh(operand);
-      given.emplace_back(meshes[i]);
-      const val transform = operand["transform"];
-      if (present(transform)) {
-        Eigen::Matrix4d matrix;
-        copy_in(transform, 16, matrix.data());
-        given[i].transform = matrix.topRows<3>();
-      }
-      const val inside = operand["inside"];
-      if (present(inside)) given[i].inside = to_choice<InsideRule>(inside, "inside");
-    }
-    return val(build_csg_grid(given, to_expression(expression), to_options<BuildOptions>(options),
-                              to_progress(progress)));
+    const Solids solids = to_solids(operands);
+    return val(build_csg_grid(solids.operands, to_expression(expression),
+                              to_options<BuildOptions>(options), to_progress(progress)));
   });
 }
 
@@ -87,16 +99,30 @@ inline val from_made(const MadeMesh& made) {
   return to;
 }
 
+/// The same with the `grid`.
+inline val from_manifold(MadeManifold made) {
+  val to = from_made(made);
+  to.set("grid", val(std::move(made.grid)));
+  return to;
+}
+
+inline MakeOptions to_make_options(val options) {
+  return {to_options<BuildOptions>(options), to_options<ExtractOptions>(options),
+          to_options<ReductionOptions>(options)};
+}
+
 inline val make_manifold(val mesh, val options, val begin) {
   return guard([&] {
-    MadeManifold made = kdm::make_manifold_in_steps(
-        to_mesh(mesh),
-        {to_options<BuildOptions>(options), to_options<ExtractOptions>(options),
-         to_options<ReductionOptions>(options)},
-        to_steps(begin));
-    val to = from_made(made);
-    to.set("grid", val(std::move(made.grid)));
-    return to;
+    return from_manifold(
+        make_manifold_in_steps(to_mesh(mesh), to_make_options(options), to_steps(begin)));
+  });
+}
+
+inline val make_solids(val operands, val expression, val options, val begin) {
+  return guard([&] {
+    const Solids solids = to_solids(operands);
+    return from_manifold(make_solids_in_steps(to_expression(expression), solids.operands,
+                                              to_make_options(options), to_steps(begin)));
   });
 }
 

@@ -148,10 +148,7 @@ void work(const Command& command, const Task& task, ProgressLine& progress, RunR
     report.seconds.analyze = watch.lap();
     if (!converts(command)) return;
     if (joins_solids(command)) {
-      made.grid =
-          build_solids(command, input_name(task.input), read.mesh, steps(MakeStep::kBuild), report);
-      static_cast<MadeMesh&>(made) = make_from_grid(
-          made.grid, command.extract, {.reduce = false, .target_triangles = {}}, steps);
+      made = make_solids(command, input_name(task.input), read.mesh, steps, report);
     } else {
       made = make_manifold_in_steps(read.mesh, {command.build, command.extract, command.reduction},
                                     steps);

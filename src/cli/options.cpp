@@ -259,13 +259,6 @@ void check_combination(const Command& command) {
     refuse("--out-dir", "not together with " + as_typed(command, "--save-grid"));
   }
   solid_files(command);
-  if (joins_solids(command)) {
-    for (const char* const flag : {"--no-reduce", "--target-triangles"}) {
-      if (command.typed.contains(flag)) {
-        refuse(flag, "not with Boolean operations, whose results are not reduced");
-      }
-    }
-  }
   if (command.typed.contains("--no-strict") && command.typed.contains("--strict")) {
     refuse("--no-strict", "not together with " + as_typed(command, "--strict"));
   }

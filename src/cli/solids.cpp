@@ -82,8 +82,8 @@ std::vector<SolidFile> solid_files(const Command& command) {
   return files;
 }
 
-Grid build_solids(const Command& command, const std::string& input_name, const Mesh& input,
-                  const Progress& progress, RunReport& report) {
+MadeManifold make_solids(const Command& command, const std::string& input_name, const Mesh& input,
+                         const StepProgress& progress, RunReport& report) {
   std::vector<SolidFile> files = solid_files(command);
   files[0].path = input_name;
   std::vector<Mesh> meshes(files.size());
@@ -98,7 +98,8 @@ Grid build_solids(const Command& command, const std::string& input_name, const M
     operands.emplace_back(i > 0 ? meshes[i] : input, files[i].transform);
   }
   try {
-    return build_csg_grid(operands, joined(files), command.build, progress);
+    return make_solids_in_steps(joined(files), operands,
+                                {command.build, command.extract, command.reduction}, progress);
   } catch (const Error& error) {
     throw Error(error.code(), message_of(error, files));
   }

@@ -22,9 +22,9 @@ struct SolidFile {
 /// `UsageError` if a transform is no transform, or if an operand has two.
 std::vector<SolidFile> solid_files(const Command& command);
 
-/// Builds the grid of what the operations say, which are done from left to right. Adds to the
-/// report's `warnings`. Throws `Error`, whose message begins with the file at fault.
-Grid build_solids(const Command& command, const std::string& input_name, const Mesh& input,
-                  const Progress& progress, RunReport& report);
+/// Makes what the operations say, which are done from left to right. Adds to the report's
+/// `warnings`. Throws `Error`, whose message begins with the file at fault.
+MadeManifold make_solids(const Command& command, const std::string& input_name, const Mesh& input,
+                         const StepProgress& progress, RunReport& report);
 
 }  // namespace kdm::cli

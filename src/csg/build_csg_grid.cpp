@@ -4,10 +4,10 @@
 #include <utility>
 
 #include "construct/grid_of_surface.h"
+#include "csg/build_csg_grid.h"
 #include "csg/prepare_operand.h"
 #include "inside/make_inside_model.h"
 #include "inside/solids_model.h"
-#include "kdmanifold/boolean.h"
 #include "kdmanifold/error.h"
 #include "kdmanifold/options.h"
 #include "mesh/boxes.h"
@@ -57,10 +57,10 @@ bool holds_far_away(const Expression& expression) {
   return SolidFunction(expression, operands).value(Marks(1));
 }
 
-// A solid by itself is no more than a mesh, and comes out like one.
+// A solid by itself is no more than a mesh, and comes out like one. `tolerance` is in lattice
+// units.
 std::unique_ptr<InsideModel> model_of(const JoinedSolids& joined, SolidFunction function,
-                                      BuildOptions options) {
-  const double tolerance = lattice_tolerance(joined.surface, options);
+                                      BuildOptions options, double tolerance) {
   Marks inside(joined.rules.size());
   inside.set(0);
   if (!joined.surface.several_solids() && function.value(inside)) {
@@ -71,10 +71,30 @@ std::unique_ptr<InsideModel> model_of(const JoinedSolids& joined, SolidFunction 
                            tolerance);
 }
 
+// Returns the triangles of a surface in model units.
+Mesh mesh_of(const Surface& surface) {
+  Mesh mesh;
+  for (std::size_t t = 0; t < surface.corners.size(); ++t) {
+    for (int i = 0; i < 3; ++i) {
+      const PointId p = surface.corners[t][i];
+      if (p >= mesh.positions.size()) mesh.positions.resize(p + 1, Vec3::Zero());
+      mesh.positions[p] = surface.lattice.to_model(to_vec3(surface.triangles[t][i]));
+    }
+  }
+  mesh.triangles = surface.corners;
+  return mesh;
+}
+
 }  // namespace
 
 Grid build_csg_grid(const std::vector<Operand>& operands, const Expression& expression,
-                    const BuildOptions& options, const Progress& progress) try {
+                    const BuildOptions& options, const Progress& progress) {
+  return build_csg_grid_within(operands, expression, options, 1, progress).grid;
+}
+
+SolidsGrid build_csg_grid_within(const std::vector<Operand>& operands, const Expression& expression,
+                                 const BuildOptions& options, double share,
+                                 const Progress& progress) try {
   check_options(options);
   const Marks named = named_operands(expression, operands.size());
   report_progress(progress, 0.0, "prepare");
@@ -105,17 +125,18 @@ Grid build_csg_grid(const std::vector<Operand>& operands, const Expression& expr
   for (Index& solid : solid_of_operand) {
     if (solid != kNone) solid = joined.solid_of_given[solid];
   }
+  const double tolerance = share * lattice_tolerance(joined.surface, options);
   const std::unique_ptr<InsideModel> model =
-      model_of(joined, SolidFunction(whole, solid_of_operand), options);
+      model_of(joined, SolidFunction(whole, solid_of_operand), options, tolerance);
   std::vector<InputReport> reports(operands.size());
   for (std::size_t i = 0; i < given; ++i) reports[solids[i].operand] = solids[i].faces.report;
   joined.surface.report = sum_of(reports);
   joined.surface.report.extent = joined.surface.extent;
   joined.surface.report.lattice_step = joined.surface.lattice.step;
-  std::unique_ptr<GridData> grid = grid_of_surface(
-      joined.surface, *model, options, lattice_tolerance(joined.surface, options), progress);
+  std::unique_ptr<GridData> grid =
+      grid_of_surface(joined.surface, *model, options, tolerance, progress);
   grid->operands = std::move(reports);
-  return Grid(std::move(grid));
+  return {Grid(std::move(grid)), mesh_of(joined.surface)};
 } catch (const std::bad_alloc&) {
   throw Error(ErrorCode::kOutOfMemory, "there is not enough memory to build the grid");
 }

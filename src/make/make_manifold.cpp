@@ -3,10 +3,12 @@
 #include "kdmanifold/make_manifold.h"
 
 #include "construct/build_grid.h"
+#include "csg/build_csg_grid.h"
 #include "extract/warnings.h"
 #include "kdmanifold/error.h"
 #include "kdmanifold/options.h"
 #include "make/reduction_rule.h"
+#include "make/step_shares.h"
 #include "mesh/measure.h"
 #include "mesh/progress.h"
 
@@ -95,20 +97,31 @@ MadeManifold make_manifold_in_steps(const Mesh& mesh, const MakeOptions& options
   return out;
 }
 
+MadeManifold make_solids_in_steps(const Expression& expression,
+                                  const std::vector<Operand>& operands, const MakeOptions& options,
+                                  const StepProgress& progress) {
+  const bool is_reduced = reduces(options);
+  SolidsGrid built =
+      build_csg_grid_within(operands, expression, options.build, is_reduced ? kGridShare : 1,
+                            begin(progress, MakeStep::kBuild));
+  MadeManifold out;
+  out.grid = std::move(built.grid);
+  MadeMesh& made = out;
+  if (!is_reduced) {
+    made = extract_step(out.grid, options.extract, progress);
+    return out;
+  }
+  made = extract_embedded(out.grid, options.extract, progress);
+  const double tolerance = whole_tolerance(out.grid.stats());
+  reduce_step(built.faces,
+              {.error = tolerance, .target_triangles = options.reduction.target_triangles},
+              progress, made);
+  state_tolerance(out.grid.input(), tolerance, made);
+  return out;
+}
+
 MadeManifold make_manifold(const Mesh& mesh, const MakeOptions& options, const Progress& progress) {
-  // Shares of the whole time, measured on models of 10,000 to 200,000 triangles.
-  const auto part = [&](MakeStep step) {
-    switch (step) {
-      case MakeStep::kBuild:
-        return part_of_progress(progress, 0.0, 0.3);
-      case MakeStep::kExtract:
-        return part_of_progress(progress, 0.3, 0.5);
-      case MakeStep::kReduce:
-        break;
-    }
-    return part_of_progress(progress, 0.5, 1.0);
-  };
-  MadeManifold made = make_manifold_in_steps(mesh, options, part);
+  MadeManifold made = make_manifold_in_steps(mesh, options, shares_of(progress));
   report_progress(progress, 1.0, "done");
   return made;
 }

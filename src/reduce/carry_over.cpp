@@ -61,15 +61,18 @@ class Lookup {
 }  // namespace
 
 void carry_over(const ScaledMesh& from, const Reference& surface, int exponent, Mesh& to) {
-  if (from.source_faces.empty() && from.corner_normals.empty()) return;
+  const bool sources = !from.source_faces.empty() || !from.source_operands.empty();
+  if (!sources && from.corner_normals.empty()) return;
   const std::vector<Vec3> positions = scaled(to.positions, exponent);
   Lookup lookup(from, surface);
   for (const Triangle& t : to.triangles) {
     const std::array<Vec3, 3> c = {positions[t[0]], positions[t[1]], positions[t[2]]};
     const Vec3 normal = doubled_area_vector(c[0], c[1], c[2]);
     const Vec3 middle = (c[0] + c[1] + c[2]) / 3;
-    if (!from.source_faces.empty()) {
-      to.source_faces.push_back(from.source_faces[lookup.nearest(middle, normal)]);
+    if (sources) {
+      const TriangleId source = lookup.nearest(middle, normal);
+      if (!from.source_faces.empty()) to.source_faces.push_back(from.source_faces[source]);
+      if (!from.source_operands.empty()) to.source_operands.push_back(from.source_operands[source]);
     }
     if (from.corner_normals.empty()) continue;
     for (const Vec3& corner : c) {

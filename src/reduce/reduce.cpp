@@ -117,6 +117,10 @@ void check_mesh(const Mesh& mesh) {
     throw Error(ErrorCode::kInvalidMesh, compose("source_faces has {} entries for {} faces",
                                                  mesh.source_faces.size(), faces));
   }
+  if (!mesh.source_operands.empty() && mesh.source_operands.size() != faces) {
+    throw Error(ErrorCode::kInvalidMesh, compose("source_operands has {} entries for {} faces",
+                                                 mesh.source_operands.size(), faces));
+  }
   const std::size_t corners = 3 * mesh.triangles.size() + 4 * mesh.quads.size();
   if (!mesh.corner_normals.empty() && mesh.corner_normals.size() != corners) {
     throw Error(ErrorCode::kInvalidMesh, compose("corner_normals has {} entries for {} corners",

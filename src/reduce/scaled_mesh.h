@@ -14,6 +14,7 @@ struct ScaledMesh {
   std::vector<Vec3> positions;  ///< the mesh's times a power of two
   std::vector<Triangle> triangles;
   std::vector<Index> source_faces;                   ///< one a triangle, or empty
+  std::vector<Index> source_operands;                ///< one a triangle, or empty
   std::vector<std::array<float, 3>> corner_normals;  ///< three a triangle, or empty
 
   std::array<Vec3, 3> corners(Index t) const {

@@ -115,7 +115,7 @@ function peer() {
 
 const triangles = operands.reduce((sum, { indices }) => sum + indices.length / 3, 0);
 console.log(`${path ?? 'a torus'}, twice, and a cylinder: ${triangles} triangles`);
-console.table([
+console.log([
   ...[0.002, 0.001, 0.0005].map((share) => row(`kdmanifold, ${share}`, () => own(share))),
   row('manifold-3d', peer),
 ]);

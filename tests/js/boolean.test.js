@@ -21,7 +21,8 @@ test('operations join all operands from left to right', async () => {
     expect(report.thread).toBe('worker');
     expect(report.operands).toHaveLength(3);
     expect(report.input.triangles).toBe(36);
-    expect(report).toMatchObject({ reduce: null });
+    expect(report.reduce.triangles).toBe(mesh.indices.length / 3); // as few as the planes need
+    expect(report.reduce.triangles).toBeLessThan(64);
     expect(report).not.toHaveProperty('lost');
   }
 });
@@ -49,6 +50,7 @@ test('expressions nest, and a complement ends at the box of all operands', async
 test('faces name their operands and the faces of these', async () => {
   const { mesh } = await boolean('difference', [cube(), cube(2, [1, 1, 1])], {
     strict: 'manifold',
+    reduce: false,
   });
   const faces = mesh.indices.length / 3;
   expect(mesh.sourceOperands).toHaveLength(faces);
@@ -68,7 +70,7 @@ test('operands may be open; what each was like is reported', async () => {
 
 test('the synchronous form gives the same mesh', async () => {
   const options = { relativeTolerance: 0.01, transforms: [null, movedBy(0.5, 0.2, 0.1)] };
-  const { mesh } = await boolean('union', [torus(), torus()], options);
+  const { mesh } = await boolean('union', [torus(), torus()], { ...options, reduce: false });
   const grid = (await load()).buildBooleanGrid('union', [torus(), torus()], options);
   const expected = grid.extract({ strict: 'embedded' });
   expect(grid.operands).toHaveLength(2);
@@ -109,7 +111,7 @@ test.each([
   [['union'], [cube()], {}, 'INVALID_OPTION', /'union' needs one operand/],
   [['complement', 0, 0], [cube()], {}, 'INVALID_OPTION', /'complement' takes one operand/],
   ['union', [], {}, 'INVALID_OPTION', /^operands: /],
-  ['union', [cube(), { positions: [] }], {}, 'INVALID_MESH', /^operand 1: positions: expected/],
+  ['union', [cube(), { positions: 7 }], {}, 'INVALID_MESH', /^operand 1: positions: expected/],
   ['union', [cube()], { transforms: [[1]] }, 'INVALID_OPTION', /^operand 0: transform: .*16/],
   ['union', [cube()], { transforms: [] }, 'INVALID_OPTION', /^transforms: length 0/],
   ['union', [cube()], { transforms: [Array(16).fill(0)] }, 'INVALID_OPTION', /not affine/],
@@ -123,9 +125,7 @@ test.each([
   ['union', [cube()], { insides: ['most'] }, 'INVALID_OPTION', /^operand 0: inside: expected/],
   ['union', [cube()], { inside: 'sheet' }, 'INVALID_OPTION', /^operand 0: inside: sheets/],
   ['union', [cube()], { sharpness: 1 }, 'INVALID_OPTION', /^sharpness: no such option/],
-  // Of makeManifold only.
-  ['union', [cube()], { reduce: true }, 'INVALID_OPTION', /^reduce: no such option/],
-  ['union', [cube()], { targetTriangles: [8] }, 'INVALID_OPTION', /^targetTriangles: no such/],
+  ['union', [cube()], { reduce: true, quads: true }, 'INVALID_OPTION', /^reduce: not together/],
   ['union', [cube()], { check: true }, 'INVALID_OPTION', /^check: no such option/],
 ])(
   '%j is refused with what is wrong (%#)',
@@ -134,3 +134,21 @@ test.each([
     await expect(failed).rejects.toMatchObject({ code, message: expect.stringMatching(message) });
   },
 );
+
+test('results are reduced within the tolerance, and name their operands', async () => {
+  const operands = [torus(128, 64), cube(2, [2, 0, 0])];
+  const few = await boolean('union', operands, { relativeTolerance: 0.005 });
+  const own = await boolean('union', operands, { relativeTolerance: 0.005, reduce: false });
+  expect(own.report.reduce).toBeNull();
+  expect(few.mesh.indices.length).toBeLessThan(0.5 * own.mesh.indices.length);
+  expect(faults(few.mesh)).toEqual([]);
+  expect(few.report.output.crossings).toBe(0);
+  expect(few.mesh.sourceOperands).toHaveLength(few.mesh.indices.length / 3);
+  expect(new Set(few.mesh.sourceOperands)).toEqual(new Set([0, 1]));
+  expect(volume(few.mesh) / volume(own.mesh)).toBeCloseTo(1, 1);
+  const { levels } = await boolean('union', operands, {
+    relativeTolerance: 0.02,
+    targetTriangles: [800, 400],
+  });
+  expect(levels.map(({ indices }) => indices.length / 3 <= 800)).toEqual([true, true]);
+});

@@ -1,25 +1,31 @@
 // SPDX-License-Identifier: MIT
 // Boolean operations in a worker.
-import { checkBuildOptions, checkExtractOptions } from './check-input.js';
+import { checkMakeOptions } from './check-input.js';
 import { buffersOf } from './convert.js';
 import { KdManifoldError } from './errors.js';
 import type { BooleanExpression, BooleanOperation } from './expression.js';
 import { jobKeys, jobOf, ownMesh, type JobOptions } from './job.js';
-import { buildOptions, extractOptions } from './options.js';
 import { checkSolids, solidKeys, type SolidOptions } from './solids.js';
-import type { BuildOptions, Conversion, ExtractOptions, MeshInput } from './types.js';
+import type {
+  BuildOptions,
+  Conversion,
+  ExtractOptions,
+  MeshInput,
+  ReductionOptions,
+} from './types.js';
 import { submit } from './worker/pool.js';
 
 /** Everything that `boolean` can be told. */
-export interface BooleanOptions extends BuildOptions, ExtractOptions, SolidOptions, JobOptions {}
+export interface BooleanOptions
+  extends BuildOptions, ExtractOptions, ReductionOptions, SolidOptions, JobOptions {}
 
 const own = [...solidKeys, ...jobKeys];
 
 /**
  * Makes the union, intersection, difference or symmetric difference of meshes in whatever state, or what any expression
  * says of them: each is prepared as `makeManifold` does, then all are joined exactly; faces on faces, also of different
- * operands, leave nothing behind. Works in a worker as `makeManifold` does. Unless `strict` or `quads` is given, the
- * result is `embedded`: no two triangles cross or touch.
+ * operands, leave nothing behind. Works in a worker as `makeManifold` does, and reduces the result as that does unless
+ * `reduce` is false. Unless `strict` or `quads` is given, no two triangles of it cross or touch.
  *
  * @param expression - an operation, which joins all operands from left to right, or an expression over their numbers:
  *   `['difference', 0, ['union', 1, 2]]`
@@ -51,11 +57,7 @@ export async function boolean(
   }
   const checked = checkSolids(expression, operands, options);
   const strict = options.strict ?? (options.quads ? 'manifold' : 'embedded');
-  const build = checkBuildOptions(options, [...own, ...Object.keys(extractOptions)]);
-  const extract = checkExtractOptions({ ...options, strict }, [
-    ...own,
-    ...Object.keys(buildOptions),
-  ]);
+  const made = checkMakeOptions({ ...options, strict }, own);
   const job = jobOf(options);
   const solids = checked.solids.map((solid) => ({ ...solid, ...ownMesh(solid, options) }));
   return submit({
@@ -64,9 +66,7 @@ export async function boolean(
     order: {
       type: 'convert',
       subject: { ...checked, solids },
-      build,
-      extract,
-      reduction: { reduce: false },
+      ...made,
       check: false,
     },
   });

@@ -291,6 +291,24 @@ export function checkReductionOptions(
   return options;
 }
 
+/** Checks all that one call from meshes to a mesh can be told. Options named in `others` are left to others. */
+export function checkMakeOptions(
+  given: object,
+  others: string[],
+): { build: BuildOptions; extract: ExtractOptions; reduction: CheckedReduction } {
+  const [ofBuild, ofExtract, ofReduction] = [buildOptions, extractOptions, reductionOptions].map(
+    (table) => Object.keys(table),
+  ) as [string[], string[], string[]];
+  const build = checkBuildOptions(given, [...others, ...ofExtract, ...ofReduction]);
+  const extract = checkExtractOptions(given, [...others, ...ofBuild, ...ofReduction]);
+  const reduction = checkReductionOptions(given, build, extract, [
+    ...others,
+    ...ofBuild,
+    ...ofExtract,
+  ]);
+  return { build, extract, reduction };
+}
+
 /** Options of `simplifyMesh`, with the numbers as WebAssembly takes them. */
 export interface CheckedReduce {
   error?: number;

@@ -28,7 +28,7 @@ const describeShare = 0.02;
 /** What is converted: a mesh, or several solids that are joined. Both have been checked. */
 export type Subject = { mesh: MeshInput } | Solids;
 
-/** What is to be made a manifold of, and how. Solids that are joined are neither reduced nor compared. */
+/** What is to be made a manifold of, and how. Solids that are joined are not compared. */
 export interface ConvertOrder {
   type: 'convert';
   subject: Subject;
@@ -77,18 +77,11 @@ function make(
   { subject, build, extract, reduction }: ConvertOrder,
   { onProgress, onStep }: StepOptions,
 ): RawMade & { grid: Grid } {
-  if ('mesh' in subject) {
-    const shares = isReduced(reduction, build, extract) ? reducedShares : plainShares;
-    const options = { ...build, ...extract, ...reduction };
-    return library.make(subject.mesh, options, shares, { onProgress, onStep });
-  }
-  const part = (step: MakeStep): ProgressCallback | undefined => {
-    const [from, to] = plainShares[step] ?? [0, 1];
-    return onProgress && ((fraction, phase) => onProgress(from + (to - from) * fraction, phase));
-  };
-  onStep?.('build');
-  const grid = library.joinSolids(subject, build, part('build'));
-  return grid.make(extract, { reduce: false }, { onProgress: part('extract'), onStep });
+  const shares = isReduced(reduction, build, extract) ? reducedShares : plainShares;
+  const options = { ...build, ...extract, ...reduction };
+  return 'mesh' in subject
+    ? library.make(subject.mesh, options, shares, { onProgress, onStep })
+    : library.makeSolids(subject, options, shares, { onProgress, onStep });
 }
 
 // Makes the mesh, describes it and holds it against the input.

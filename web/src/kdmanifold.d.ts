@@ -64,6 +64,12 @@ export interface RawModule extends RawInstance {
     options: object,
     begin: RawSteps,
   ): Answer<RawMade & { grid: RawGrid }>;
+  makeSolids(
+    operands: Solid[],
+    expression: Int32Array,
+    options: object,
+    begin: RawSteps,
+  ): Answer<RawMade & { grid: RawGrid }>;
   simplifyMesh(mesh: PolygonMeshInput, options: object, begin: RawSteps): Answer<Simplified>;
   loadGrid(bytes: Uint8Array, name: string): Answer<RawGrid>;
   thicken(mesh: PolygonMeshInput, thickness: number): Answer<ParsedMesh>;

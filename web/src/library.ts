@@ -29,7 +29,6 @@ import type {
   MeshReport,
   ParsedMesh,
   PolygonMeshInput,
-  ProgressCallback,
   ProgressOptions,
   ReduceOptions,
   SelfIntersections,
@@ -161,6 +160,19 @@ export class KdManifold {
     return { ...made, grid: Grid.of(grid, this.#registry, this.#health) };
   }
 
+  /** @internal Does what `boolean` does, with operands and options that were checked; the grid is the caller's. */
+  makeSolids(
+    { solids, expression }: Solids,
+    options: BuildOptions & ExtractOptions & CheckedReduction,
+    shares: Shares,
+    { onProgress, onStep }: StepOptions,
+  ): RawMade & { grid: Grid } {
+    const { grid, ...made } = call(this.#health, onProgress, (progress) =>
+      this.#raw.makeSolids(solids, expression, options, stepsOf(progress, shares, onStep)),
+    );
+    return { ...made, grid: Grid.of(grid, this.#registry, this.#health) };
+  }
+
   /**
    * Reduces a mesh to fewer triangles: within a distance of it, to a number of triangles, or both; several numbers make
    * several levels of detail. Parts and handles stay, no two triangles cross. Vertices of equal position are joined
@@ -217,14 +229,9 @@ export class KdManifold {
     options: BuildOptions & SolidOptions & ProgressOptions = {},
   ): Grid {
     const checked = checkBuildOptions(options, ['onProgress', ...solidKeys]);
-    return this.joinSolids(checkSolids(expression, operands, options), checked, options.onProgress);
-  }
-
-  /** @internal The same for what has been checked. */
-  joinSolids(subject: Solids, build: BuildOptions, onProgress?: ProgressCallback): Grid {
-    const { solids, expression } = subject;
-    const raw = call(this.#health, onProgress, (progress) =>
-      this.#raw.buildBooleanGrid(solids, expression, build, progress),
+    const subject = checkSolids(expression, operands, options);
+    const raw = call(this.#health, options.onProgress, (progress) =>
+      this.#raw.buildBooleanGrid(subject.solids, subject.expression, checked, progress),
     );
     return Grid.of(raw, this.#registry, this.#health);
   }

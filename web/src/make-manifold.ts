@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The one call for most people.
-import {
-  checkBuildOptions,
-  checkExtractOptions,
-  checkMesh,
-  checkReductionOptions,
-} from './check-input.js';
+import { checkMakeOptions, checkMesh } from './check-input.js';
 import { buffersOf } from './convert.js';
 import { jobKeys, jobOf, ownMesh, refuse, type JobOptions } from './job.js';
-import { buildOptions, extractOptions, reductionOptions } from './options.js';
 import type {
   BuildOptions,
   Conversion,
@@ -25,9 +19,6 @@ export interface MakeManifoldOptions
   check?: boolean;
 }
 
-const [ofBuild, ofExtract, ofReduction] = [buildOptions, extractOptions, reductionOptions].map(
-  (table) => Object.keys(table),
-) as [string[], string[], string[]];
 const own = ['check', ...jobKeys];
 
 /**
@@ -59,10 +50,7 @@ export async function makeManifold(
   mesh: MeshInput,
   options: MakeManifoldOptions = {},
 ): Promise<Conversion> {
-  const build = checkBuildOptions(options, [...own, ...ofExtract, ...ofReduction]);
-  const extract = checkExtractOptions(options, [...own, ...ofBuild, ...ofReduction]);
-  const others = [...own, ...ofBuild, ...ofExtract];
-  const reduction = checkReductionOptions(options, build, extract, others);
+  const checked = checkMakeOptions(options, own);
   const { check = false } = options;
   if (typeof check !== 'boolean') refuse('check', 'true or false');
   const job = jobOf(options);
@@ -70,6 +58,6 @@ export async function makeManifold(
   return submit({
     ...job,
     transfer: buffersOf(input),
-    order: { type: 'convert', subject: { mesh: input }, build, extract, reduction, check },
+    order: { type: 'convert', subject: { mesh: input }, ...checked, check },
   });
 }

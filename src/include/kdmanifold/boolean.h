@@ -5,9 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "kdmanifold/build.h"
 #include "kdmanifold/expression.h"
-#include "kdmanifold/extract.h"
+#include "kdmanifold/make_manifold.h"
 
 namespace kdm {
 
@@ -47,16 +46,22 @@ Grid build_csg_grid(const std::vector<Operand>& operands, const Expression& expr
 
 /// A result with the account of how it was made. `source_operands` says which operand each face is
 /// of, and `source_faces` which of that operand's faces.
-struct BooleanMesh : ExtractedMesh {
+struct BooleanMesh : MadeMesh {
   std::vector<InputReport> operands;  ///< what was given
-  GridStats grid;
 };
 
-/// Makes the mesh of what an expression says of some solids: by default embedded, so that no two
-/// triangles cross or touch. Throws what `build_csg_grid` and `extract` throw.
+/// Makes the mesh of what an expression says of some solids, reduced to few triangles as
+/// `make_manifold` does it, unless `reduction` or the other options exclude that; held against the
+/// faces of all operands, so the tolerance holds for the whole. What is not reduced is embedded by
+/// default: no two triangles cross or touch. Throws what `build_csg_grid`, `extract` and
+/// `make_manifold` throw.
 BooleanMesh boolean(const Expression& expression, const std::vector<Operand>& operands,
-                    const BuildOptions& options = {},
-                    const ExtractOptions& extract_options = {.strict = Strict::kEmbedded},
-                    const Progress& progress = {});
+                    const BuildOptions& build = {},
+                    const ExtractOptions& extract = {.strict = Strict::kEmbedded},
+                    const ReductionOptions& reduction = {}, const Progress& progress = {});
+/// The same with the grid; every step has a progress function of its own.
+MadeManifold make_solids_in_steps(const Expression& expression,
+                                  const std::vector<Operand>& operands, const MakeOptions& options,
+                                  const StepProgress& progress);
 
 }  // namespace kdm

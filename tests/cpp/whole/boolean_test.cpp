@@ -37,25 +37,27 @@ struct Expected {
   int euler;
 };
 
-// The result is a sound solid of the volume and topology: exactly as the operands lie, within the
-// tolerance if they are turned, so that no face is parallel to the grid.
+// The result is a sound solid of the volume and topology: exactly as the operands lie if it is the
+// grid's own, otherwise and if they are turned, so that no face is parallel to the grid, within the
+// tolerance.
 void expect_result(const Expression& expression, const std::vector<Mesh>& meshes,
                    const Expected& expected) {
   for (const bool turn : {false, true}) {
-    for (const Strict strict : {Strict::kManifold, Strict::kEmbedded}) {
-      SCOPED_TRACE((turn ? "turned " : "as it lies ") + std::to_string(static_cast<int>(strict)));
+    for (const bool reduce : {false, true}) {
+      SCOPED_TRACE(std::string(turn ? "turned" : "as it lies") + (reduce ? ", reduced" : ""));
       std::vector<Mesh> posed;
       for (const Mesh& mesh : meshes) posed.push_back(turn ? turned(mesh) : mesh);
       const BooleanMesh result =
-          boolean(expression, {posed.begin(), posed.end()}, {}, {.strict = strict});
+          boolean(expression, {posed.begin(), posed.end()}, {}, {.strict = Strict::kManifold},
+                  {.reduce = reduce, .target_triangles = {}});
       EXPECT_TRUE(check::is_two_manifold(result));
       EXPECT_EQ(result.report.crossings.value_or(0), 0u);
       const check::MeshCheck report = check::check_mesh(result);
-      const double share = turn ? 2e-3 : strict == Strict::kManifold ? 1e-9 : 3e-4;
+      const double share = turn ? 2e-3 : reduce ? 3e-4 : 1e-9;
       EXPECT_NEAR(report.volume, expected.volume, share * expected.volume);
       EXPECT_EQ(report.components, expected.components);
       EXPECT_EQ(report.euler_characteristic, expected.euler);
-      EXPECT_LT(result.triangles.size(), turn ? 1500u : 200u);
+      EXPECT_LT(result.triangles.size(), reduce ? 250u : turn ? 1500u : 200u);
     }
   }
 }
@@ -152,8 +154,44 @@ TEST(Boolean, IdentitiesHoldToTheByte) {
   EXPECT_TRUE(same_bytes(result(intersection(0, 1), {a, a}), result(0, {a})));
   EXPECT_TRUE(same_bytes(result(difference(0, symmetric_difference(0, 1)), {a, b}),
                          result(intersection(0, 1), {a, b})));
-  EXPECT_TRUE(same_bytes(result(0, {a}), extract(build_grid(a, {.relative_tolerance = 0.005}),
-                                                 {.strict = Strict::kEmbedded})));
+  const BuildOptions build = {.relative_tolerance = 0.005};
+  EXPECT_TRUE(same_bytes(boolean(0, {a}, build, {}, {.reduce = false, .target_triangles = {}}),
+                         extract(build_grid(a, build))));
+}
+
+TEST(Boolean, ResultsAreReducedWithinTheTolerance) {
+  const Mesh ball = shapes::icosphere(4, 1);
+  const Mesh ring = shapes::translated(shapes::torus(1, 0.3, 64, 32), Vec3(0.5, 0.1, 0.2));
+  const BuildOptions build = {.relative_tolerance = 0.005};
+  const BooleanMesh few = boolean(difference(0, 1), {ball, ring}, build);
+  const BooleanMesh own =
+      boolean(difference(0, 1), {ball, ring}, build, {.strict = Strict::kEmbedded},
+              {.reduce = false, .target_triangles = {}});
+  EXPECT_FALSE(own.reduced);
+  ASSERT_TRUE(few.reduced);
+  EXPECT_LT(few.triangles.size(), own.triangles.size() / 2);
+  EXPECT_TRUE(check::is_two_manifold(few));
+  EXPECT_EQ(find_self_intersections(few).pairs, 0u);
+  const check::MeshCheck of_few = check::check_mesh(few);
+  const check::MeshCheck of_own = check::check_mesh(own);
+  EXPECT_NEAR(of_few.volume, of_own.volume, 0.02 * of_own.volume);
+  EXPECT_EQ(of_few.components, of_own.components);
+  EXPECT_EQ(of_few.euler_characteristic, of_own.euler_characteristic);
+  EXPECT_DOUBLE_EQ(few.stats.tolerance, few.stats.asked_tolerance);
+  // Every triangle names an operand that is near to its middle.
+  ASSERT_EQ(few.source_operands.size(), few.triangles.size());
+  for (std::size_t t = 0; t < few.triangles.size(); ++t) {
+    const Triangle& c = few.triangles[t];
+    const Vec3 middle = (few.positions[c[0]] + few.positions[c[1]] + few.positions[c[2]]) / 3;
+    ASSERT_LT(few.source_operands[t], 2u);
+    EXPECT_FALSE(check::clear_of(few.source_operands[t] == 0 ? ball : ring, middle,
+                                 2 * few.stats.tolerance));
+  }
+  const BooleanMesh levels = boolean(difference(0, 1), {ball, ring}, {.relative_tolerance = 0.02},
+                                     {}, {.reduce = {}, .target_triangles = {900, 600}});
+  ASSERT_EQ(levels.levels.size(), 2u);
+  EXPECT_LE(levels.levels[0].triangles.size(), 900u);
+  EXPECT_LE(levels.levels[1].triangles.size(), 600u);
 }
 
 TEST(Boolean, EveryFaceKnowsItsOperandAndItsFace) {

@@ -394,7 +394,7 @@ TEST_F(Cli, MeshesAreJoinedFromLeftToRight) {
   const Json json = report(
       "cube.obj --union bar.stl --transform 1,0,0,0,0,1,0,0,0,0,1,0.5 --difference bar.stl "
       "--transform=0.5,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1 -o out.obj --check");
-  EXPECT_EQ(keys(json), (Names{"input", "operands", "grid", "output", "warnings", "check",
+  EXPECT_EQ(keys(json), (Names{"input", "operands", "grid", "output", "reduce", "warnings", "check",
                                "seconds", "peakBytes"}));
   ASSERT_EQ(json["operands"].size(), 3u);
   EXPECT_EQ(keys(json["operands"][2]), keys(json["input"]));

@@ -3,7 +3,7 @@
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { load } from '../../../dist/index.js';
-import { fileOptions, reportOptions } from '../../../build/js/cli/table.js';
+import { fileOptions, reportOptions, solidOptions } from '../../../build/js/cli/table.js';
 import { buildOptions, extractOptions, reductionOptions } from '../../../build/js/options.js';
 import { cube, faults, together, torus } from '../support/meshes.js';
 import { both, programs, withoutNumbers, writeMesh } from '../support/programs.js';
@@ -246,7 +246,7 @@ test('--help lists the same options in both, and they are those of the interface
   });
   expect(names[1]).toEqual(names[0]);
   const own = [
-    ...Object.values({ ...fileOptions, ...reportOptions }).map(({ flag }) => flag),
+    ...Object.values({ ...fileOptions, ...reportOptions, ...solidOptions }).map(({ flag }) => flag),
     '--help',
     '--no-strict',
     '--version',

@@ -8,7 +8,7 @@ import { converts, joinsSolids, withTypedNames, type Command } from './options.j
 import { levelPath, type Task } from './plan.js';
 import type { ProgressLine } from './progress.js';
 import type { CliReport } from './report.js';
-import { buildSolids, readSolids } from './solids.js';
+import { makeSolids, readSolids } from './solids.js';
 import { KdManifoldError } from '../errors.js';
 import type { Grid } from '../grid.js';
 import type { RawMade } from '../kdmanifold.js';
@@ -146,9 +146,7 @@ async function work(
         scenes.push(await readMesh(library, path, inputFormat(path, undefined)));
       }
       report.warnings.push(...scenes.flatMap((scene) => scene.warnings));
-      steps.onStep?.('build');
-      const grid = buildSolids(library, command, files, scenes, steps.onProgress);
-      made = grid.make(command.extract, { reduce: false }, steps);
+      made = makeSolids(library, command, files, scenes, steps);
     } else {
       input = mesh;
       const options = { ...command.build, ...command.extract, ...command.reduction };

@@ -238,13 +238,6 @@ function checkCombination(command: Command): void {
     refuse('--out-dir', `not together with ${asTyped(command, '--save-grid')}`);
   }
   readSolids(command);
-  if (joinsSolids(command)) {
-    for (const flag of ['--no-reduce', '--target-triangles']) {
-      if (command.typed.has(flag)) {
-        refuse(flag, 'not with Boolean operations, whose results are not reduced');
-      }
-    }
-  }
   if (command.typed.has('--no-strict') && command.typed.has('--strict')) {
     refuse('--no-strict', `not together with ${asTyped(command, '--strict')}`);
   }

@@ -5,8 +5,11 @@ import { usageError, type Command, type RepeatedArgument } from './options.js';
 import { KdManifoldError } from '../errors.js';
 import type { BooleanExpression } from '../expression.js';
 import type { Grid } from '../grid.js';
+import type { RawMade } from '../kdmanifold.js';
 import { namesAGrid, type KdManifold } from '../library.js';
-import type { MeshInput, ProgressCallback } from '../types.js';
+import { checkSolids } from '../solids.js';
+import type { StepOptions } from '../steps.js';
+import type { MeshInput } from '../types.js';
 
 /** One operand: INPUT, or the file of an operation. */
 export interface SolidFile {
@@ -65,27 +68,28 @@ const operations = {
 } as const;
 
 /**
- * Builds the grid of what the operations say, which are done from left to right. Errors of an operand begin with its
+ * Makes what the operations say, which are done from left to right. Errors of an operand begin with its
  * file.
  */
-export function buildSolids(
+export function makeSolids(
   library: KdManifold,
-  { build }: Command,
+  { build, extract, reduction }: Command,
   files: SolidFile[],
   scenes: { mesh: MeshInput }[],
-  onProgress?: ProgressCallback,
-): Grid {
+  steps: StepOptions,
+): RawMade & { grid: Grid } {
   let whole: BooleanExpression = 0;
   files.forEach(({ operation }, i) => {
     if (operation === undefined) return;
     whole = [operations[operation as keyof typeof operations], whole, i];
   });
   try {
-    return library.buildBooleanGrid(
+    const solids = checkSolids(
       whole,
       scenes.map(({ mesh }) => mesh),
-      { ...build, transforms: files.map(({ transform }) => transform), onProgress },
+      { transforms: files.map(({ transform }) => transform) },
     );
+    return library.makeSolids(solids, { ...build, ...extract, ...reduction }, {}, steps);
   } catch (error) {
     const [, number, rest] =
       /^operand (\d+): (.*)$/s.exec(error instanceof KdManifoldError ? error.message : '') ?? [];
