@@ -22,4 +22,9 @@ inline Vec3 normalized_or_zero(const Vec3& v) {
   return length > 0 ? Vec3(v / length) : Vec3(Vec3::Zero());
 }
 
+/// Returns the unit normal of the triangle (a, b, c), or zero if it has no area.
+inline Vec3 unit_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
+  return normalized_or_zero(doubled_area_vector(a, b, c));
+}
+
 }  // namespace kdm

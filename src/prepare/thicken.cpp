@@ -84,8 +84,7 @@ class Thickener {
             double thickness)
       : triangles_(triangles), points_(points), thickness_(thickness), rim_(3 * triangles.size()) {
     for (const Triangle& t : triangles_) {
-      normals_.push_back(
-          normalized_or_zero(doubled_area_vector(points_[t[0]], points_[t[1]], points_[t[2]])));
+      normals_.push_back(unit_normal(points_[t[0]], points_[t[1]], points_[t[2]]));
     }
     join_sides();
   }

@@ -32,7 +32,7 @@ constexpr double kForeign = 2;
 // The part of the work that is done before the first edge is collapsed.
 constexpr double kBefore = 0.2;
 // A crease of the mesh is a true one if the reference has one within this part of its diagonal.
-constexpr double kCreaseReach = 0.005;
+constexpr double kCreaseReach = 0.00125;
 
 double diagonal_of(const std::vector<Vec3>& positions) {
   Box box;

@@ -17,10 +17,6 @@ std::vector<SmallBox> boxes_of(const std::vector<std::array<Vec3, 3>>& triangles
   return boxes;
 }
 
-Vec3 normal_of(const std::array<Vec3, 3>& t) {
-  return normalized_or_zero(doubled_area_vector(t[0], t[1], t[2]));
-}
-
 }  // namespace
 
 Reference::Reference(std::vector<std::array<Vec3, 3>> triangles)
@@ -49,7 +45,8 @@ TriangleId Reference::nearest(const Vec3& p, double distance, TriangleId hint) c
 TriangleId Reference::nearest_facing(const Vec3& p, const Vec3& normal, TriangleId hint) const {
   constexpr double kFar = std::numeric_limits<double>::infinity();
   return tree_.nearest(p, std::numeric_limits<double>::max(), 0, hint, [&](TriangleId t) {
-    return normal_of(triangles_[t]).dot(normal) > 0 ? squared_distance(t, p) : kFar;
+    const std::array<Vec3, 3>& c = triangles_[t];
+    return unit_normal(c[0], c[1], c[2]).dot(normal) > 0 ? squared_distance(t, p) : kFar;
   });
 }
 

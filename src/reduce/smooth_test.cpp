@@ -14,10 +14,6 @@ namespace {
 constexpr double kSmooth = 0.8660254037844387;
 constexpr double kSlack = 1e-9;
 
-Vec3 unit_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
-  return normalized_or_zero(doubled_area_vector(a, b, c));
-}
-
 }  // namespace
 
 Vec3 SmoothTest::normal_of(TriangleId t) const {

@@ -13,7 +13,8 @@ namespace kdm {
 class SmoothTest {
  public:
   /// `creases` are those of the reference. Both must outlive this.
-  SmoothTest(const Workpiece& piece, TrueCreases& creases) : piece_(piece), creases_(creases) {}
+  SmoothTest(const Workpiece& piece, const TrueCreases& creases)
+      : piece_(piece), creases_(creases) {}
 
   /// Tells whether no edge of the ring would be a false crease, or fewer than now.
   bool stays_smooth(const CollapseRing& ring);
@@ -35,7 +36,7 @@ class SmoothTest {
   Vec3 normal_of(TriangleId t) const;
 
   const Workpiece& piece_;
-  TrueCreases& creases_;
+  const TrueCreases& creases_;
   std::vector<Turn> before_;  // what turns by more than 30 degrees in the ring
   std::vector<Turn> after_;
   std::vector<Vec3> normals_before_;  // of the ring's triangles

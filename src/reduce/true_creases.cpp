@@ -1,58 +1,70 @@
 // SPDX-License-Identifier: MIT
 // Triangles are neighbours if they have two corners in the same places: the reference may be a
-// soup.
+// soup, and neighbours may be turned against each other.
 #include "reduce/true_creases.h"
 
 #include <cmath>
 
-#include "geometry/distance.h"
 #include "geometry/triangle.h"
+#include "mesh/edge_sides.h"
+#include "prepare/weld.h"
 
 namespace kdm {
 namespace {
 
 constexpr double kCreaseCosine = 0.9659258262890683;  // of 15 degrees
 
-Vec3 unit_normal(const std::array<Vec3, 3>& t) {
-  return normalized_or_zero(doubled_area_vector(t[0], t[1], t[2]));
+// The reference's triangles over points that are shared.
+struct Joined {
+  std::vector<Triangle> triangles;
+  std::vector<Vec3> normals;
+  Index points;
+};
+
+Joined join(const Reference& reference) {
+  std::vector<Vec3> corners;
+  corners.reserve(3 * std::size_t{reference.size()});
+  Joined out;
+  for (TriangleId t = 0; t < reference.size(); ++t) {
+    const std::array<Vec3, 3>& c = reference.corners(t);
+    corners.insert(corners.end(), c.begin(), c.end());
+    out.normals.push_back(unit_normal(c[0], c[1], c[2]));
+  }
+  const Weld weld = weld_positions(corners);
+  for (std::size_t i = 0; i < corners.size(); i += 3) {
+    out.triangles.push_back({weld.point_of[i], weld.point_of[i + 1], weld.point_of[i + 2]});
+  }
+  out.points = static_cast<Index>(weld.first_of.size());
+  return out;
 }
 
-bool has_corner(const std::array<Vec3, 3>& t, const Vec3& p) {
-  return t[0] == p || t[1] == p || t[2] == p;
+bool turn(std::span<const EdgeSide> sides, const std::vector<Vec3>& normals) {
+  for (std::size_t i = 1; i < sides.size(); ++i) {
+    const Vec3& normal = normals[triangle_of(sides[i].side)];
+    for (std::size_t j = 0; j < i; ++j) {
+      if (std::abs(normal.dot(normals[triangle_of(sides[j].side)])) < kCreaseCosine) return true;
+    }
+  }
+  return false;
 }
 
 }  // namespace
 
-bool TrueCreases::are_near(const Vec3& p) {
-  const double limit = reach_ * reach_;
-  return reference_.tree().any_meeting(small_box(p, reach_), [&](TriangleId t) {
-    const std::array<Vec3, 3>& c = reference_.corners(t);
-    for (int i = 0; i < 3; ++i) {
-      if (squared_distance(p, c[i], c[(i + 1) % 3]) <= limit && is_crease(t, i)) return true;
-    }
-    return false;
-  });
-}
-
-bool TrueCreases::is_crease(TriangleId t, int corner) {
-  Side& side = sides_[3 * std::size_t{t} + static_cast<std::size_t>(corner)];
-  if (side == Side::kUnknown) side = find_out(t, corner) ? Side::kCrease : Side::kSmooth;
-  return side == Side::kCrease;
-}
-
-// Neighbours may be turned against each other.
-bool TrueCreases::find_out(TriangleId t, int corner) const {
-  const std::array<Vec3, 3>& c = reference_.corners(t);
-  const Vec3& from = c[corner];
-  const Vec3& to = c[(corner + 1) % 3];
-  const Vec3 normal = unit_normal(c);
-  SmallBox middle;
-  middle.grow(Vec3(0.5 * (from + to)));
-  return reference_.tree().any_meeting(middle, [&](TriangleId other) {
-    const std::array<Vec3, 3>& o = reference_.corners(other);
-    return other != t && has_corner(o, from) && has_corner(o, to) &&
-           std::abs(normal.dot(unit_normal(o))) < kCreaseCosine;
-  });
+TrueCreases::TrueCreases(const Reference& reference, double reach) {
+  Box box;
+  for (TriangleId t = 0; t < reference.size(); ++t) {
+    for (const Vec3& p : reference.corners(t)) grow(box, p);
+  }
+  cells_ = CellBits(box, 2 * reach);
+  const Joined joined = join(reference);
+  EdgeSides(joined.triangles, joined.points)
+      .for_each_edge([&](PointId, std::span<const EdgeSide> sides) {
+        if (!turn(sides, joined.normals)) return;
+        const SideId side = sides.front().side;
+        const std::array<Vec3, 3>& c = reference.corners(triangle_of(side));
+        cells_.mark(c[corner_of(side)], c[next_corner(corner_of(side))]);
+      });
+  cells_.grow();
 }
 
 }  // namespace kdm
