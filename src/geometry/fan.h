@@ -11,8 +11,12 @@ namespace kdm {
 
 /// The side of a triangle that is opposite to a vertex; both ends relative to the vertex.
 struct OuterSide {
+  OuterSide(const Vec3& start, const Vec3& end)
+      : from(start), to(end), doubled_area(from.cross(to)) {}
+
   Vec3 from;
   Vec3 to;
+  Vec3 doubled_area;  ///< the area vector of the triangle, twice
 };
 
 /// Tells whether, seen along `normal`, the triangles between a vertex and its outer sides, which
@@ -32,7 +36,7 @@ inline bool is_simple_fan(std::span<const OuterSide> sides, const Vec3& normal) 
   const double size = normal.cwiseAbs().sum();
   int rises = 0;
   for (const OuterSide& side : sides) {
-    const double area = side.from.cross(side.to).dot(normal);
+    const double area = side.doubled_area.dot(normal);
     if (!(area > kLeastArea * size * (side.from.squaredNorm() + side.to.squaredNorm()))) {
       return false;
     }
@@ -44,7 +48,7 @@ inline bool is_simple_fan(std::span<const OuterSide> sides, const Vec3& normal) 
 /// Tells the same, seen along the sum of the triangles' normals.
 inline bool is_simple_fan(std::span<const OuterSide> sides) {
   Vec3 normal = Vec3::Zero();
-  for (const OuterSide& side : sides) normal += side.from.cross(side.to);
+  for (const OuterSide& side : sides) normal += side.doubled_area;
   return is_simple_fan(sides, normal);
 }
 

@@ -61,7 +61,7 @@ void Collapser::add_quadrics() {
   }
 }
 
-Vec3 Collapser::point_of(SideId edge, CollapsePlace place) const {
+Vec3 Collapser::point_of(SideId edge, CollapsePlace place, const ErrorQuadric& sum) const {
   const Vec3& start = piece_.positions[piece_.mesh.start(edge)];
   const Vec3& end = piece_.positions[piece_.mesh.end(edge)];
   if (place == CollapsePlace::kStart) return start;
@@ -69,7 +69,6 @@ Vec3 Collapser::point_of(SideId edge, CollapsePlace place) const {
   const Vec3 middle = 0.5 * (start + end);
   if (place == CollapsePlace::kMiddle) return rounded_to_single(middle);
   // An end that is as good stays where it is: so corners and edges of flat parts stay exact.
-  const ErrorQuadric sum = quadric_of(edge);
   const Vec3 best = sum.minimiser(middle - centre_);
   const double good = sum.error(best) + sum.weight() * kAsGood * (end - start).squaredNorm();
   const double at_start = sum.error(start - centre_);
@@ -86,7 +85,7 @@ ErrorQuadric Collapser::quadric_of(SideId edge) const {
 
 void Collapser::push(SideId edge, CollapsePlace place) {
   const ErrorQuadric sum = quadric_of(edge);
-  const double error = sum.error(point_of(edge, place) - centre_);
+  const double error = sum.error(point_of(edge, place, sum) - centre_);
   // Where the planes are much further off than allowed on average, the surface is too.
   if (piece_.distance) {
     const std::vector<double>& limits = piece_.distance->limits;
@@ -170,7 +169,7 @@ bool Collapser::keeps_shape() const {
 
 Collapser::Verdict Collapser::try_step(SideId edge, CollapsePlace place) {
   if (!meets_link_condition(edge)) return Verdict::kNever;
-  make_ring(edge, point_of(edge, place));
+  make_ring(edge, point_of(edge, place, quadric_of(edge)));
   if (!keeps_shape()) return Verdict::kNoPlace;
   if (smooth_ && !smooth_->stays_smooth(ring_)) return Verdict::kNoPlace;
   if (piece_.distance && !stays_near(piece_, ring_)) return Verdict::kNoPlace;

@@ -32,7 +32,7 @@ class Collapser {
   void add_quadrics();
   void consider(SideId edge);
   void push(SideId edge, CollapsePlace place);
-  Vec3 point_of(SideId edge, CollapsePlace place) const;
+  Vec3 point_of(SideId edge, CollapsePlace place, const ErrorQuadric& sum) const;
   ErrorQuadric quadric_of(SideId edge) const;
   Verdict try_step(SideId edge, CollapsePlace place);
   bool meets_link_condition(SideId edge);

@@ -2,6 +2,7 @@
 // Finds what is near in a tree of boxes and decides by exact predicates.
 #include "reduce/crossing_guard.h"
 
+#include "geometry/triangle.h"
 #include "geometry/triangle_triangle.h"
 
 namespace kdm {
@@ -11,6 +12,11 @@ using Crossing = TriangleCrossing<RealKernel>;
 
 // A tree with more triangles taken out than left is built anew.
 constexpr double kWorn = 0.5;
+
+// Far more than what rounding does to a few products and differences.
+constexpr double kRounding = 1e-14;
+
+double one_norm(const Vec3& v) { return v.cwiseAbs().sum(); }
 
 bool has_area(const std::array<Vec3, 3>& t) {
   for (int axis = 0; axis < 3; ++axis) {
@@ -39,11 +45,44 @@ CrossingGuard::CrossingGuard(const HalfEdges& mesh, const std::vector<Vec3>& pos
       simple_(positions.size()) {}
 
 void CrossingGuard::plan(const Triangle& numbers, const std::array<Vec3, 3>& corners) {
-  planned_.push_back({numbers, corners, small_box(corners[0], corners[1], corners[2])});
+  planned_.push_back({numbers, corners, small_box(corners[0], corners[1], corners[2]),
+                      doubled_area_vector(corners[0], corners[1], corners[2])});
+}
+
+// Tells whether the corners of the other triangle that are not shared surely lie beyond a plane.
+// `size` is the size of the numbers that its normal is the difference of.
+bool CrossingGuard::surely_beyond(const Planned& t, const Vec3& normal, double size,
+                                  const Vec3& origin, const Triangle& other) const {
+  for (const VertexId v : other) {
+    if (v == t.numbers[0] || v == t.numbers[1] || v == t.numbers[2]) continue;
+    const Vec3 off = positions_[v] - origin;
+    if (!(normal.dot(off) > kRounding * size * one_norm(off))) return false;
+  }
+  return true;
+}
+
+// Tells whether the other triangle surely lies beyond the plane of a planned one, or beyond that
+// through one of its sides that is perpendicular to it, apart from corners that are shared.
+bool CrossingGuard::surely_beside(const Planned& t, const Triangle& other) const {
+  const Vec3 first = t.corners[1] - t.corners[0];
+  const Vec3 second = t.corners[2] - t.corners[0];
+  const double size = one_norm(first) * one_norm(second);
+  if (surely_beyond(t, t.doubled_area, size, t.corners[0], other) ||
+      surely_beyond(t, -t.doubled_area, size, t.corners[0], other)) {
+    return true;
+  }
+  for (int i = 0; i < 3; ++i) {
+    const Vec3 side = t.corners[next_corner(i)] - t.corners[i];
+    if (surely_beyond(t, side.cross(t.doubled_area), one_norm(side) * size, t.corners[i], other)) {
+      return true;
+    }
+  }
+  return false;
 }
 
 bool CrossingGuard::meets(const Planned& triangle, TriangleId other) const {
   const Triangle numbers = mesh_.corners(other);
+  if (surely_beside(triangle, numbers)) return false;
   return Crossing::test(triangle.corners, triangle.numbers,
                         {positions_[numbers[0]], positions_[numbers[1]], positions_[numbers[2]]},
                         numbers);
@@ -57,9 +96,9 @@ bool CrossingGuard::surely_apart(const Planned& t, const Triangle& other) const 
   return false;
 }
 
-// Tells whether the planned triangles meet each other or others. Those round a vertex that is
-// marked simple need no test against each other.
-bool CrossingGuard::planned_meet(bool simple_inside) {
+// Tells whether the planned triangles meet each other or others; `beside` is one near to them.
+// Those round a vertex that is marked simple need no test against each other.
+bool CrossingGuard::planned_meet(bool simple_inside, TriangleId beside) {
   SmallBox all;
   for (std::size_t i = 0; i < planned_.size(); ++i) {
     const Planned& t = planned_[i];
@@ -71,7 +110,7 @@ bool CrossingGuard::planned_meet(bool simple_inside) {
     }
     all.grow(t.box);
   }
-  return tree_.any_meeting(all, [&](TriangleId other) {
+  return tree_.any_meeting(all, beside, [&](TriangleId other) {
     if (replaced_.test(other)) return false;
     const SmallBox& box = tree_.box(other);
     const Triangle corners = mesh_.corners(other);
@@ -87,7 +126,7 @@ bool CrossingGuard::is_simple(const CollapseRing& ring) {
   if (mesh_.on_boundary(ring.kept) || mesh_.on_boundary(ring.removed)) return false;
   sides_.clear();
   for (const RingTriangle& t : ring.triangles) {
-    sides_.push_back({t.from_point - ring.point, t.to_point - ring.point});
+    sides_.emplace_back(t.from_point - ring.point, t.to_point - ring.point);
   }
   return is_simple_fan(sides_);
 }
@@ -103,7 +142,7 @@ bool CrossingGuard::is_simple(const CollapseRing& ring, VertexId v) {
   mesh_.for_each_leaving(v, [&](SideId h) {
     const TriangleId t = triangle_of(h);
     if (t == ring.gone.front() || t == ring.gone.back()) return;
-    sides_.push_back({point(mesh_.end(h)) - apex, point(mesh_.start(previous_side(h))) - apex});
+    sides_.emplace_back(point(mesh_.end(h)) - apex, point(mesh_.start(previous_side(h))) - apex);
   });
   return is_simple_fan(sides_);
 }
@@ -118,7 +157,7 @@ bool CrossingGuard::would_meet(const CollapseRing& ring) {
   for (const RingTriangle& t : ring.triangles) {
     if (is_simple(ring, t.from)) simple_.set(t.from);
   }
-  const bool meet = planned_meet(is_simple(ring));
+  const bool meet = planned_meet(is_simple(ring), ring.gone.front());
   for (const RingTriangle& t : ring.triangles) {
     replaced_.clear(t.number);
     simple_.clear(t.from);
@@ -134,7 +173,7 @@ bool CrossingGuard::would_meet(const std::array<TriangleId, 2>& places,
     plan(t, {positions_[t[0]], positions_[t[1]], positions_[t[2]]});
   }
   for (const TriangleId t : places) replaced_.set(t);
-  const bool meet = planned_meet(false);
+  const bool meet = planned_meet(false, places.front());
   for (const TriangleId t : places) replaced_.clear(t);
   return meet;
 }

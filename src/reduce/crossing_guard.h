@@ -39,13 +39,17 @@ class CrossingGuard {
     Triangle numbers;
     std::array<Vec3, 3> corners;
     SmallBox box;
+    Vec3 doubled_area;
   };
 
   void plan(const Triangle& numbers, const std::array<Vec3, 3>& corners);
   bool is_simple(const CollapseRing& ring);
   bool is_simple(const CollapseRing& ring, VertexId v);
-  bool planned_meet(bool simple_inside);
+  bool planned_meet(bool simple_inside, TriangleId beside);
   bool surely_apart(const Planned& t, const Triangle& other) const;
+  bool surely_beside(const Planned& t, const Triangle& other) const;
+  bool surely_beyond(const Planned& t, const Vec3& normal, double size, const Vec3& origin,
+                     const Triangle& other) const;
   bool meets(const Planned& triangle, TriangleId other) const;
 
   const HalfEdges& mesh_;

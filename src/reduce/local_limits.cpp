@@ -28,13 +28,17 @@ class ThicknessSearch {
       : mesh_(mesh),
         surface_(surface),
         reach_(reach),
-        vertex_normals_(mesh.positions.size(), Vec3::Zero()) {
+        vertex_normals_(mesh.positions.size(), Vec3::Zero()),
+        triangle_at_(mesh.positions.size(), kNone) {
     face_normals_.reserve(mesh.triangles.size());
     for (Index t = 0; t < mesh.triangles.size(); ++t) {
       const std::array<Vec3, 3> c = mesh.corners(t);
       const Vec3 doubled = doubled_area_vector(c[0], c[1], c[2]);
       face_normals_.push_back(normalized_or_zero(doubled));
-      for (const Index v : mesh.triangles[t]) vertex_normals_[v] += doubled;
+      for (const Index v : mesh.triangles[t]) {
+        vertex_normals_[v] += doubled;
+        triangle_at_[v] = t;
+      }
     }
   }
 
@@ -46,7 +50,7 @@ class ThicknessSearch {
     way.grow(p);
     way.grow(Vec3(p + reach_ * inwards));
     double thickness = reach_;
-    surface_.tree().any_meeting(way, [&](TriangleId t) {
+    surface_.tree().any_meeting(way, triangle_at_[v], [&](TriangleId t) {
       const double facing = -face_normals_[t].dot(inwards);
       if (facing > kOpposite) return false;
       const std::array<Vec3, 3>& c = surface_.corners(t);
@@ -66,22 +70,22 @@ class ThicknessSearch {
   double reach_;
   std::vector<Vec3> face_normals_;
   std::vector<Vec3> vertex_normals_;
+  std::vector<TriangleId> triangle_at_;  // per vertex: one of its triangles
 };
 
 }  // namespace
 
 std::vector<double> local_limits(const ScaledMesh& mesh, const Reference& surface,
-                                 const Reference& reference, double error) {
+                                 const Reference& reference, const std::vector<TriangleId>& near,
+                                 double error) {
   std::vector<double> limits(mesh.positions.size(), error);
   const ThicknessSearch search(mesh, surface, kShares * error);
-  TriangleId hint = kNone;
   for (Index v = 0; v < limits.size(); ++v) {
     const double share = search.at(v) / kShares;
     if (share >= error) continue;
-    const TriangleId near = reference.nearest(mesh.positions[v], error, hint);
-    if (near == kNone) continue;
-    hint = near;
-    const double off = std::sqrt(reference.squared_distance(near, mesh.positions[v]));
+    const TriangleId nearest = reference.nearest(mesh.positions[v], error, near[v]);
+    if (nearest == kNone) continue;
+    const double off = std::sqrt(reference.squared_distance(nearest, mesh.positions[v]));
     limits[v] = std::max(share, std::min(error / kShares, kSlack * off));
   }
   return limits;

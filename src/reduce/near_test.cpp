@@ -31,13 +31,13 @@ bool stays_near(Workpiece& piece, const CollapseRing& ring) {
   KeptDistance& kept = *piece.distance;
   const double limit = std::min(kept.limits[ring.kept], kept.limits[ring.removed]);
   if (!kept.samples.fit(ring, limit)) return false;
-  TriangleId& near = piece.near[ring.kept];
+  TriangleId& near = kept.near[ring.kept];
   if (!kept.reference->is_near(ring.point, limit, near)) return false;
   for (std::size_t i = 0; i < ring.triangles.size(); ++i) {
     const RingTriangle& t = ring.triangles[i];
     const TriangleId hint = kept.samples.hint(i);
     if (!points_are_near(kept, ring.point, t.from_point, limit,
-                         hint != kNone ? hint : piece.near[t.from])) {
+                         hint != kNone ? hint : kept.near[t.from])) {
       return false;
     }
   }
@@ -47,7 +47,7 @@ bool stays_near(Workpiece& piece, const CollapseRing& ring) {
 bool edge_stays_near(const Workpiece& piece, VertexId from, VertexId to) {
   const KeptDistance& kept = *piece.distance;
   return points_are_near(kept, piece.positions[from], piece.positions[to],
-                         std::min(kept.limits[from], kept.limits[to]), piece.near[from]);
+                         std::min(kept.limits[from], kept.limits[to]), kept.near[from]);
 }
 
 }  // namespace kdm

@@ -40,18 +40,23 @@ double diagonal_of(const std::vector<Vec3>& positions) {
   return (box.max - box.min).norm();
 }
 
-// Returns the triangles of the reference, and those of the mesh that it lacks.
-Reference reference_for(const ScaledMesh& mesh, const ScaledMesh& reference, double error) {
+// Returns the triangles of the reference, and those of the mesh that it lacks. Sets `near` to one
+// of them that is near to each vertex of the mesh, kNone where there is none.
+Reference reference_for(const ScaledMesh& mesh, const ScaledMesh& reference, double error,
+                        std::vector<TriangleId>& near) {
   std::vector<std::array<Vec3, 3>> triangles = reference.all_corners();
   Reference given(triangles);
   TriangleId hint = kNone;
   const auto is_near = [&](const Vec3& p) { return given.is_near(p, kForeign * error, hint); };
-  Marks near(mesh.positions.size());
-  for (PointId p = 0; p < near.size(); ++p) near.set(p, is_near(mesh.positions[p]));
+  near.assign(mesh.positions.size(), kNone);
+  for (PointId p = 0; p < near.size(); ++p) {
+    if (is_near(mesh.positions[p])) near[p] = hint;
+  }
   for (TriangleId t = 0; t < mesh.triangles.size(); ++t) {
     const Triangle& c = mesh.triangles[t];
     const std::array<Vec3, 3> corners = mesh.corners(t);
-    if (near.test(c[0]) && near.test(c[1]) && near.test(c[2]) &&
+    hint = near[c[0]];
+    if (hint != kNone && near[c[1]] != kNone && near[c[2]] != kNone &&
         is_near((corners[0] + corners[1] + corners[2]) / 3)) {
       continue;
     }
@@ -62,17 +67,17 @@ Reference reference_for(const ScaledMesh& mesh, const ScaledMesh& reference, dou
 }
 
 // Returns the vertices of the mesh and of the reference, each at a triangle of the mesh that is
-// near to it. `surface` holds the mesh's triangles, `kept` the reference's. Vertices of the
-// reference that the mesh does not come near to are left out.
+// near to it. `surface` holds the mesh's triangles, `kept` the reference's, and `near` one of these
+// for each vertex of the mesh. Vertices of the reference that the mesh does not come near to are
+// left out.
 Samples samples_of(const ScaledMesh& mesh, const Reference& surface, const ScaledMesh& reference,
-                   const Reference& kept, double error) {
+                   const Reference& kept, std::vector<TriangleId>& near, double error) {
   Samples samples(static_cast<Index>(mesh.triangles.size()));
-  TriangleId near = kNone;
   Marks seen(mesh.positions.size());
   for (TriangleId t = 0; t < mesh.triangles.size(); ++t) {
     for (const PointId p : mesh.triangles[t]) {
-      if (seen.test_and_set(p) || !kept.is_near(mesh.positions[p], error, near)) continue;
-      samples.add(mesh.positions[p], t, near);
+      if (seen.test_and_set(p) || !kept.is_near(mesh.positions[p], error, near[p])) continue;
+      samples.add(mesh.positions[p], t, near[p]);
     }
   }
   TriangleId hint = kNone;
@@ -80,10 +85,12 @@ Samples samples_of(const ScaledMesh& mesh, const Reference& surface, const Scale
   for (TriangleId t = 0; t < reference.triangles.size(); ++t) {
     for (const PointId p : reference.triangles[t]) {
       if (seen.test_and_set(p)) continue;
-      const TriangleId place = surface.nearest(reference.positions[p], error, hint);
-      if (place == kNone) continue;
-      samples.add(reference.positions[p], place, t);
-      hint = place;
+      if (!surface.is_near(reference.positions[p], kNearEnough * error, hint)) {
+        const TriangleId nearest = surface.nearest(reference.positions[p], error, hint);
+        if (nearest == kNone) continue;
+        hint = nearest;
+      }
+      samples.add(reference.positions[p], hint, t);
     }
   }
   return samples;
@@ -145,11 +152,15 @@ ReducedMesh reduce(const Mesh& mesh, const Mesh& reference, const ReduceOptions&
   if (options.error > 0) {
     const ScaledMesh to = scaled_mesh(reference, -exponent);
     const double error = std::ldexp(options.error, -exponent);
-    kept.emplace(reference_for(from, to, error));
+    std::vector<TriangleId> near;
+    kept.emplace(reference_for(from, to, error, near));
+    Samples samples = samples_of(from, surface, to, *kept, near, error);
+    std::vector<double> limits = local_limits(from, surface, *kept, near, error);
     distance.emplace(KeptDistance{&*kept,
-                                  samples_of(from, surface, to, *kept, error),
+                                  std::move(samples),
                                   error,
-                                  local_limits(from, surface, *kept, error),
+                                  std::move(limits),
+                                  std::move(near),
                                   {*kept, kCreaseReach * diagonal_of(to.positions)}});
   }
   Workpiece piece(std::move(half_edges), from.positions, std::move(distance));

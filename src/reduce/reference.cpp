@@ -30,15 +30,16 @@ double Reference::squared_distance(TriangleId t, const Vec3& p) const {
 bool Reference::is_near(const Vec3& p, double distance, TriangleId& hint) const {
   const double enough = distance * distance;
   if (hint != kNone && squared_distance(hint, p) <= enough) return true;
-  const TriangleId found =
-      tree_.nearest(p, enough, enough, hint, [&](TriangleId t) { return squared_distance(t, p); });
-  if (found == kNone) return false;
-  hint = found;
-  return true;
+  return tree_.any_meeting(small_box(p, distance), hint, [&](TriangleId t) {
+    if (squared_distance(t, p) > enough) return false;
+    hint = t;
+    return true;
+  });
 }
 
-TriangleId Reference::nearest(const Vec3& p, double distance, TriangleId hint) const {
-  return tree_.nearest(p, distance * distance, 0, hint,
+TriangleId Reference::nearest(const Vec3& p, double distance, TriangleId hint,
+                              double enough) const {
+  return tree_.nearest(p, distance * distance, enough * enough, hint,
                        [&](TriangleId t) { return squared_distance(t, p); });
 }
 

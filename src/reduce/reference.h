@@ -20,9 +20,10 @@ class Reference {
   /// Tells whether a triangle is within `distance` of the point. Looks at the triangle `hint` first
   /// (kNone: at none) and sets it to the one that was found.
   bool is_near(const Vec3& p, double distance, TriangleId& hint) const;
-  /// Returns the nearest triangle of those within `distance`, or kNone. Begins at the triangle
-  /// `hint` (kNone: anywhere); of several that are equally near, any may be returned.
-  TriangleId nearest(const Vec3& p, double distance, TriangleId hint) const;
+  /// Returns the nearest triangle of those within `distance`, or kNone; the first that is found
+  /// within `enough` will do. Begins at the triangle `hint` (kNone: anywhere); of several that are
+  /// equally near, any may be returned.
+  TriangleId nearest(const Vec3& p, double distance, TriangleId hint, double enough = 0) const;
   /// Returns the nearest triangle of those whose normals point to the same side as `normal`, or
   /// kNone.
   TriangleId nearest_facing(const Vec3& p, const Vec3& normal, TriangleId hint) const;

@@ -5,16 +5,30 @@
 #include <limits>
 
 #include "geometry/distance.h"
+#include "geometry/triangle.h"
+#include "mesh/sides.h"
 
 namespace kdm {
 namespace {
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
-// A sample goes to the first triangle that is nearer than this part of the distance allowed; only
-// others look for the nearest.
-constexpr double kNearEnough = 0.25;
 
 }  // namespace
+
+Samples::Target::Target(const std::array<Vec3, 3>& triangle)
+    : corners(triangle), normal(unit_normal(triangle[0], triangle[1], triangle[2])) {
+  for (int i = 0; i < 3; ++i) inwards[i] = normal.cross(corners[next_corner(i)] - corners[i]);
+}
+
+bool Samples::Target::is_beside(const Vec3& p) const {
+  const Vec3 off = p - corners[0];
+  return inwards[0].dot(off) > 0 && inwards[1].dot(p - corners[1]) > 0 && inwards[2].dot(off) > 0;
+}
+
+double Samples::Target::squared_height(const Vec3& p) const {
+  const double height = normal.dot(p - corners[0]);
+  return height * height;
+}
 
 void Samples::add(const Vec3& point, TriangleId t, TriangleId near) {
   point_.push_back(point);
@@ -29,16 +43,20 @@ bool Samples::find_places(TriangleId from, Index at, double distance) {
   const double limit = distance * distance;
   const double enough = kNearEnough * kNearEnough * limit;
   for (Index s = first_[from]; s != kNone; s = next_[s]) {
+    const Vec3& p = point_[s];
     double least = kFar;
     Index nearest = 0;
     for (std::size_t i = 0; i < targets_.size(); ++i, ++at) {
       if (at == targets_.size()) at = 0;
-      const std::array<Vec3, 3>& t = targets_[at];
-      const double off = squared_distance(point_[s], t[0], t[1], t[2]);
+      const Target& target = targets_[at];
+      const bool beside = target.is_beside(p);
+      const double off =
+          beside ? target.squared_height(p)
+                 : squared_distance(p, target.corners[0], target.corners[1], target.corners[2]);
       if (off >= least) continue;
       least = off;
       nearest = at;
-      if (off <= enough) break;
+      if (off <= (beside ? limit : enough)) break;
     }
     if (!(least <= limit)) return false;
     at = nearest;
@@ -50,7 +68,7 @@ bool Samples::find_places(TriangleId from, Index at, double distance) {
 bool Samples::fit(const CollapseRing& ring, double distance) {
   places_.clear();
   targets_.clear();
-  for (const RingTriangle& t : ring.triangles) targets_.push_back(corners_of(ring, t));
+  for (const RingTriangle& t : ring.triangles) targets_.emplace_back(corners_of(ring, t));
   for (const TriangleId t : ring.gone) {
     if (!find_places(t, 0, distance)) return false;
   }
@@ -64,7 +82,8 @@ bool Samples::fit(const CollapseRing& ring, double distance) {
 bool Samples::fit(const std::array<TriangleId, 2>& triangles,
                   const std::array<std::array<Vec3, 3>, 2>& corners, double distance) {
   places_.clear();
-  targets_.assign(corners.begin(), corners.end());
+  targets_.clear();
+  for (const std::array<Vec3, 3>& triangle : corners) targets_.emplace_back(triangle);
   return find_places(triangles[0], 0, distance) && find_places(triangles[1], 1, distance);
 }
 

@@ -10,6 +10,10 @@
 
 namespace kdm {
 
+/// A point goes to the first triangle that is nearer than this part of the distance allowed; only
+/// others look for the nearest.
+constexpr double kNearEnough = 0.5;
+
 /// The points. When a step replaces triangles, their points move to those that take their place.
 class Samples {
  public:
@@ -36,6 +40,17 @@ class Samples {
   void move(const std::array<TriangleId, 2>& triangles);
 
  private:
+  // A triangle that points may go to, with what tells quickly whether it is nearest to a point by
+  // its inside: the planes through its sides that are perpendicular to it.
+  struct Target {
+    explicit Target(const std::array<Vec3, 3>& triangle);
+    bool is_beside(const Vec3& p) const;
+    double squared_height(const Vec3& p) const;
+
+    std::array<Vec3, 3> corners;
+    Vec3 normal;                  // zero without area
+    std::array<Vec3, 3> inwards;  // for the side from each corner
+  };
   struct Place {
     Index sample;
     Index target;  // its place among the targets
@@ -49,10 +64,10 @@ class Samples {
   }
 
   std::vector<Vec3> point_;
-  std::vector<TriangleId> near_;              // per sample
-  std::vector<Index> next_;                   // per sample: the next one at the same triangle
-  std::vector<Index> first_;                  // per triangle
-  std::vector<std::array<Vec3, 3>> targets_;  // where points may go
+  std::vector<TriangleId> near_;  // per sample
+  std::vector<Index> next_;       // per sample: the next one at the same triangle
+  std::vector<Index> first_;      // per triangle
+  std::vector<Target> targets_;   // where points may go
   std::vector<Place> places_;
   std::vector<TriangleId> hints_;  // per triangle of the ring
   std::vector<double> off_;        // per triangle of the ring: how far the hint's point is

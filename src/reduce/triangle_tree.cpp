@@ -11,15 +11,12 @@
 namespace kdm {
 namespace {
 
-float rounded_down(double value) {
-  const float near = static_cast<float>(value);
-  return near > value ? std::nextafter(near, -SmallBox::kFar) : near;
-}
+// Twice what rounding to single precision may change, as a share of the value.
+constexpr double kRounding = 0x1p-23;
+// More than that where numbers are too small to be rounded by a share.
+constexpr double kLeast = 0x1p-140;
 
-float rounded_up(double value) {
-  const float near = static_cast<float>(value);
-  return near < value ? std::nextafter(near, SmallBox::kFar) : near;
-}
+double rounding_of(double value) { return kRounding * std::abs(value) + kLeast; }
 
 // Spreads the lowest ten bits so that two zeros follow each.
 std::uint32_t spread(std::uint32_t bits) {
@@ -59,8 +56,9 @@ std::vector<std::uint64_t> along_curve(const std::vector<SmallBox>& boxes) {
 
 void SmallBox::grow(const Vec3& p) {
   for (int axis = 0; axis < 3; ++axis) {
-    min[axis] = std::min(min[axis], rounded_down(p[axis]));
-    max[axis] = std::max(max[axis], rounded_up(p[axis]));
+    const double rounding = rounding_of(p[axis]);
+    min[axis] = std::min(min[axis], static_cast<float>(p[axis] - rounding));
+    max[axis] = std::max(max[axis], static_cast<float>(p[axis] + rounding));
   }
 }
 

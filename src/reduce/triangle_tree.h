@@ -14,14 +14,14 @@
 
 namespace kdm {
 
-/// A box in single precision, which never is smaller than what it was made for.
+/// A box in single precision, which is larger than what it was made for by a rounding error or two.
 struct SmallBox {
   std::array<float, 3> min = {kFar, kFar, kFar};
   std::array<float, 3> max = {-kFar, -kFar, -kFar};
 
   static constexpr float kFar = std::numeric_limits<float>::infinity();
 
-  /// Widens the box so that it holds the point, rounded outwards.
+  /// Widens the box so that it surely holds the point.
   void grow(const Vec3& p);
   void grow(const SmallBox& other);
   bool meets(const SmallBox& other) const {
@@ -52,26 +52,15 @@ class TriangleTree {
   explicit TriangleTree(std::vector<SmallBox> boxes);
 
   /// Calls `test(t)` for triangles whose boxes meet the box until it returns true, and returns
-  /// whether it did.
+  /// whether it did. Begins beside the triangle `hint` (kNone: anywhere), which makes it quick if
+  /// that one is near.
   template <typename Test>
-  bool any_meeting(const SmallBox& box, const Test& test) const {
+  bool any_meeting(const SmallBox& box, TriangleId hint, const Test& test) const {
     if (nodes_.empty()) return false;
-    std::array<Index, 64> stack;
-    int size = 0;
-    stack[size++] = 1;
-    while (size > 0) {
-      const Index node = stack[--size];
-      if (!nodes_[node].meets(box)) continue;
-      if (node < leaves_) {
-        stack[size++] = 2 * node + 1;
-        stack[size++] = 2 * node;
-        continue;
-      }
-      const std::size_t first = std::size_t{node - leaves_} * kLeafSize;
-      for (std::size_t i = first; i < first + kLeafSize; ++i) {
-        const TriangleId t = order_[i];
-        if (t != kNone && boxes_[t].meets(box) && test(t)) return true;
-      }
+    Index node = first_node(hint);
+    if (any_below(node, box, test)) return true;
+    for (; node > 1; node /= 2) {
+      if (any_below(node ^ 1, box, test)) return true;
     }
     return false;
   }
@@ -86,7 +75,7 @@ class TriangleTree {
                      const Distance& squared_distance) const {
     Nearest<Distance> search{p, bound, enough, kNone, squared_distance};
     if (nodes_.empty()) return kNone;
-    Index node = hint == kNone || place_[hint] == kNone ? 1 : leaves_ + place_[hint] / kLeafSize;
+    Index node = first_node(hint);
     if (nodes_[node].squared_distance(p) <= bound) look_below(node, search);
     for (; node > 1 && !search.done(); node /= 2) {
       if (nodes_[node ^ 1].squared_distance(p) <= search.bound) look_below(node ^ 1, search);
@@ -115,6 +104,34 @@ class TriangleTree {
 
     bool done() const { return best != kNone && bound <= enough; }
   };
+
+  // Returns the leaf of a triangle, or the root.
+  Index first_node(TriangleId hint) const {
+    return hint == kNone || place_[hint] == kNone ? 1 : leaves_ + place_[hint] / kLeafSize;
+  }
+
+  template <typename Test>
+  bool any_below(Index top, const SmallBox& box, const Test& test) const {
+    if (!nodes_[top].meets(box)) return false;
+    std::array<Index, 64> stack;
+    int size = 0;
+    stack[size++] = top;
+    while (size > 0) {
+      const Index node = stack[--size];
+      if (node < leaves_) {
+        if (nodes_[2 * node + 1].meets(box)) stack[size++] = 2 * node + 1;
+        if (nodes_[2 * node].meets(box)) stack[size++] = 2 * node;
+        continue;
+      }
+      const std::size_t first = std::size_t{node - leaves_} * kLeafSize;
+      for (std::size_t i = first; i < first + kLeafSize; ++i) {
+        const TriangleId t = order_[i];
+        if (t == kNone) break;
+        if (boxes_[t].meets(box) && test(t)) return true;
+      }
+    }
+    return false;
+  }
 
   template <typename Distance>
   void look_below(Index top, Nearest<Distance>& search) const {

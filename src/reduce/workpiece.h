@@ -15,11 +15,12 @@ namespace kdm {
 
 /// The distance that is kept between the mesh and a reference, both ways.
 struct KeptDistance {
-  const Reference* reference;  ///< must outlive this
-  Samples samples;             ///< points of the reference and of the mesh
-  double error;                ///< the largest distance anywhere
-  std::vector<double> limits;  ///< per vertex: the largest distance round it (see local_limits.h)
-  TrueCreases creases;         ///< of the reference
+  const Reference* reference;    ///< must outlive this
+  Samples samples;               ///< points of the reference and of the mesh
+  double error;                  ///< the largest distance anywhere
+  std::vector<double> limits;    ///< per vertex: the largest distance round it (see local_limits.h)
+  std::vector<TriangleId> near;  ///< per vertex: the reference's triangle that was found near it
+  TrueCreases creases;           ///< of the reference
 };
 
 /// The mesh. Coordinates are of about 1.
@@ -28,7 +29,6 @@ struct Workpiece {
       : mesh(std::move(half_edges)),
         positions(std::move(points)),
         distance(std::move(kept)),
-        near(positions.size(), kNone),
         guard(mesh, positions) {}
   Workpiece(const Workpiece&) = delete;  // the guard refers to the mesh
   Workpiece& operator=(const Workpiece&) = delete;
@@ -36,7 +36,6 @@ struct Workpiece {
   HalfEdges mesh;
   std::vector<Vec3> positions;           // per vertex
   std::optional<KeptDistance> distance;  // none: the number of triangles alone decides
-  std::vector<TriangleId> near;  // per vertex: the reference's triangle that was found near it
   CrossingGuard guard;
 };
 

@@ -69,8 +69,8 @@ bool PairTest::find_if_fan_is_simple(const DualMesh& mesh, VertexId v) {
   const Vec3& apex = mesh.position[v];
   for (const HalfEdgeId h : mesh.ring(v)) {
     normal += view_.grid.plane_of(mesh.hit[h / 3]).normal;
-    outer_sides_.push_back({mesh.position[mesh.end_vertex(h)] - apex,
-                            mesh.position[mesh.vertex[previous_in_triangle(h)]] - apex});
+    outer_sides_.emplace_back(mesh.position[mesh.end_vertex(h)] - apex,
+                              mesh.position[mesh.vertex[previous_in_triangle(h)]] - apex);
   }
   return is_simple_fan(outer_sides_, normal);
 }

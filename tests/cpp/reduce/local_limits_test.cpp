@@ -15,7 +15,8 @@ namespace {
 std::vector<double> limits_of(const Mesh& mesh, double error) {
   const ScaledMesh scaled = scaled_mesh(mesh, 0);
   const Reference surface(scaled.all_corners());
-  return local_limits(scaled, surface, surface, error);
+  return local_limits(scaled, surface, surface,
+                      std::vector<TriangleId>(mesh.positions.size(), kNone), error);
 }
 
 TEST(LocalLimits, AreAnEighthOfAThinWall) {

@@ -81,7 +81,7 @@ TEST(TriangleTree, FindsWhatMeetsABoxWhileTrianglesComeAndGo) {
       if (!gone.contains(i) && boxes[i].meets(box)) expected.insert(i);
     }
     std::set<TriangleId> found;
-    EXPECT_FALSE(tree.any_meeting(box, [&](TriangleId i) {
+    EXPECT_FALSE(tree.any_meeting(box, kNone, [&](TriangleId i) {
       found.insert(i);
       return false;
     }));
@@ -93,7 +93,8 @@ TEST(TriangleTree, HoldsNothing) {
   const TriangleTree tree(std::vector<SmallBox>{});
   const auto distance = [](TriangleId) { return 0.0; };
   EXPECT_EQ(tree.nearest(Vec3::Zero(), 1, 0, kNone, distance), kNone);
-  EXPECT_FALSE(tree.any_meeting(small_box(Vec3::Zero(), 1), [](TriangleId) { return true; }));
+  EXPECT_FALSE(
+      tree.any_meeting(small_box(Vec3::Zero(), 1), kNone, [](TriangleId) { return true; }));
 }
 
 TEST(SmallBox, IsNeverSmallerThanItsPoints) {
