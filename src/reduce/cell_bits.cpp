@@ -24,6 +24,7 @@ void spread_words(std::vector<std::uint64_t>& words, std::size_t step, std::size
 
 CellBits::CellBits(const Box& box, double width) {
   const Vec3 size = box.max - box.min;
+  if (!(size.minCoeff() >= 0)) return;
   const double least = std::max(width, size.maxCoeff() / kMostCells);
   const double cell = least > 0 ? least : 1;
   // Two cubes more on each side have room for what grows.

@@ -14,7 +14,8 @@ namespace kdm {
 class CellBits {
  public:
   CellBits() = default;
-  /// The cubes are `width` wide, or wider where there would be more than 512 along a side.
+  /// The cubes are `width` wide, or wider where there would be more than 512 along a side. An
+  /// empty box has none.
   CellBits(const Box& box, double width);
 
   /// Marks cubes along the segment so that each of its points is in one of them or beside one.
