@@ -140,7 +140,7 @@ std::string help_text() {
   add_group("Checks and reports", lines);
   lines.clear();
   add_lines<SolidOptions>(lines);
-  add_group("Boolean operations (then --strict is embedded unless it is given)", lines);
+  add_group("Boolean operations", lines);
   lines.clear();
   add_lines<BuildOptions>(lines);
   add_group("How a mesh becomes a grid", lines);

@@ -307,11 +307,6 @@ Command parse_command(const std::vector<std::string>& arguments) {
   if (!command.answer.empty()) return command;
   Scanner(arguments, command).run();
   check_combination(command);
-  const bool strict_given =
-      command.typed.count("--strict") + command.typed.count("--no-strict") > 0;
-  if (joins_solids(command) && !strict_given && !command.extract.quads) {
-    command.extract.strict = Strict::kEmbedded;
-  }
   return command;
 }
 

@@ -2,8 +2,11 @@
 // Turns a mesh into a grid.
 #include "construct/build_grid.h"
 
+#include <array>
 #include <new>
+#include <utility>
 
+#include "construct/exact_parts.h"
 #include "construct/grid_of_surface.h"
 #include "inside/make_inside_model.h"
 #include "kdmanifold/error.h"
@@ -37,13 +40,15 @@ Grid build_grid_within(const Mesh& mesh, const BuildOptions& options, double sha
                        const Progress& progress) try {
   check_options(options);
   report_progress(progress, 0.0, "prepare");
-  const Surface surface = options.thicken > 0
-                              ? prepare_surface(thicken(mesh, options.thicken), options)
-                              : prepare_surface(mesh, options);
+  const bool thickens_all = options.thicken > 0 && options.thicken_what == ThickenWhat::kAll;
+  Surface surface = thickens_all ? prepare_surface(thicken(mesh, options.thicken), options)
+                                 : prepare_surface(mesh, options);
   check_thickness(options.thicken, surface.lattice.step);
   const double tolerance = share * lattice_tolerance(surface, options);
+  SolidStates states(SolidFunction(0, std::array<Index, 1>{0}), {options.inside});
+  ExactParts exact = take_exact_parts(surface, states, options);
   const std::unique_ptr<InsideModel> model = make_inside_model(surface, options, tolerance);
-  return Grid(grid_of_surface(surface, *model, options, tolerance, progress));
+  return Grid(grid_of_surface(surface, *model, options, tolerance, std::move(exact), progress));
 } catch (const std::bad_alloc&) {
   throw Error(ErrorCode::kOutOfMemory, "there is not enough memory to build the grid");
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "construct/grid_of_surface.h"
 
+#include <utility>
+
 #include "construct/construct.h"
 #include "grid/count_stats.h"
 #include "kdmanifold/error.h"
@@ -31,7 +33,7 @@ double lattice_tolerance(const Surface& surface, const BuildOptions& options) {
 
 std::unique_ptr<GridData> grid_of_surface(const Surface& surface, InsideModel& model,
                                           const BuildOptions& options, double tolerance,
-                                          const Progress& progress) {
+                                          ExactParts exact, const Progress& progress) {
   auto grid = std::make_unique<GridData>();
   grid->sheet = surface.sheet;
   grid->inside = options.inside;
@@ -42,6 +44,9 @@ std::unique_ptr<GridData> grid_of_surface(const Surface& surface, InsideModel& m
   const ConstructedCells made =
       construct_cells(surface, model, options, tolerance, depth_limit(options),
                       part_of_progress(progress, 0.1, 0.8), *grid);
+  grid->exact = std::move(exact.mesh);
+  grid->stats.exact_parts = exact.parts;
+  grid->stats.thin_parts = exact.inexact;
   grid->stats.asked_tolerance = tolerance_of(options, surface.extent);
   grid->tolerance =
       made.tolerance > 0 ? made.tolerance : kUsualTolerance * surface.extent / surface.lattice.step;

@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "construct/exact_parts.h"
 #include "grid/grid_data.h"
 #include "inside/inside_model.h"
 #include "kdmanifold/build.h"
@@ -16,9 +17,9 @@ double lattice_tolerance(const Surface& surface, const BuildOptions& options);
 
 /// Makes the grid of a surface: cells and hits, then the links of half-edges, corners and
 /// statistics. `model` says what is inside; cells meet the surface within `tolerance`, in lattice
-/// units. Calls `progress` with 0.1 to 1.
+/// units. `exact` is what was taken out of the surface. Calls `progress` with 0.1 to 1.
 std::unique_ptr<GridData> grid_of_surface(const Surface& surface, InsideModel& model,
                                           const BuildOptions& options, double tolerance,
-                                          const Progress& progress);
+                                          ExactParts exact, const Progress& progress);
 
 }  // namespace kdm

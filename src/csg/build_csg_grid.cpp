@@ -3,6 +3,7 @@
 #include <new>
 #include <utility>
 
+#include "construct/exact_parts.h"
 #include "construct/grid_of_surface.h"
 #include "csg/build_csg_grid.h"
 #include "csg/prepare_operand.h"
@@ -126,17 +127,20 @@ SolidsGrid build_csg_grid_within(const std::vector<Operand>& operands, const Exp
     if (solid != kNone) solid = joined.solid_of_given[solid];
   }
   const double tolerance = share * lattice_tolerance(joined.surface, options);
-  const std::unique_ptr<InsideModel> model =
-      model_of(joined, SolidFunction(whole, solid_of_operand), options, tolerance);
+  Mesh faces = mesh_of(joined.surface);
+  const SolidFunction function(whole, solid_of_operand);
+  SolidStates states(function, joined.rules);
+  ExactParts exact = take_exact_parts(joined.surface, states, options);
+  const std::unique_ptr<InsideModel> model = model_of(joined, function, options, tolerance);
   std::vector<InputReport> reports(operands.size());
   for (std::size_t i = 0; i < given; ++i) reports[solids[i].operand] = solids[i].faces.report;
   joined.surface.report = sum_of(reports);
   joined.surface.report.extent = joined.surface.extent;
   joined.surface.report.lattice_step = joined.surface.lattice.step;
   std::unique_ptr<GridData> grid =
-      grid_of_surface(joined.surface, *model, options, tolerance, progress);
+      grid_of_surface(joined.surface, *model, options, tolerance, std::move(exact), progress);
   grid->operands = std::move(reports);
-  return {Grid(std::move(grid)), mesh_of(joined.surface)};
+  return {Grid(std::move(grid)), std::move(faces)};
 } catch (const std::bad_alloc&) {
   throw Error(ErrorCode::kOutOfMemory, "there is not enough memory to build the grid");
 }

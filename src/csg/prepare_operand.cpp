@@ -67,7 +67,8 @@ SolidFaces prepare(const Operand& operand, Index number, const BuildOptions& opt
     throw Error(ErrorCode::kInvalidOption, "inside: sheets bound no solid");
   }
   Mesh mesh = transformed(*operand.mesh, operand.transform);
-  if (options.thicken > 0) mesh = thicken(mesh, std::exchange(own.thicken, 0));
+  if (options.thicken > 0 && options.thicken_what == ThickenWhat::kAll)
+    mesh = thicken(mesh, std::exchange(own.thicken, 0));
   SolidFaces solid{prepare_faces(mesh, own), own.inside, number};
   if (solid.faces.repair) {
     solid.faces = solidified(mesh, own, solid.faces.report.extent, progress);

@@ -3,12 +3,15 @@
 // faces.
 #include "kdmanifold/extract.h"
 
+#include <algorithm>
+#include <limits>
 #include <new>
 
 #include "extract/dual/edit_log.h"
 #include "extract/dual/grid_view.h"
 #include "extract/embed/embed.h"
 #include "extract/emit.h"
+#include "extract/exact_faces.h"
 #include "extract/keep_parts.h"
 #include "extract/mend/give_area.h"
 #include "extract/mend/mend_edges.h"
@@ -72,12 +75,16 @@ DualMesh surface_of(const GridData& grid, const ExtractOptions& options, const P
   const std::vector<LoopId> missed = place_vertices(view, settings, mesh);
   move_off_slivers(view, mesh);
   report_progress(progress, 0.7, "faces");
-  if (options.strict == Strict::kEmbedded && !options.quads) {
-    Embedding embedding = embed(view, settings, missed, progress, std::move(mesh));
-    report.refined_hits = embedding.refined_hits;
+  if (options.strict == Strict::kEmbedded) {
+    Embedding embedding =
+        embed(view, settings, missed, progress, grid.sheet ? mesh : std::move(mesh));
     report.crossings = embedding.crossings;
-    count_edits(embedding.mesh, embedding.log, report);
-    return std::move(embedding.mesh);
+    // Sheets that cross each other are left so: what was done to part them has only moved them.
+    if (!grid.sheet || embedding.crossings == 0) {
+      report.refined_hits = embedding.refined_hits;
+      count_edits(embedding.mesh, embedding.log, report);
+      return std::move(embedding.mesh);
+    }
   }
   EditLog log;
   add_vertices(view, settings, {}, missed, mesh, log);
@@ -116,14 +123,26 @@ void check_not_empty(const GridData& grid, const Mesh& out) {
               "of the grid; take a smaller tolerance or a greater depth, or thicken the surface");
 }
 
+// Tells whether 32 bits hold coordinates of the size of the model's.
+bool fits_in_single(const Lattice& lattice) {
+  const Vec3 far = lattice.to_model(Vec3::Constant(kLatticeSize));
+  const double largest = std::max(lattice.origin.cwiseAbs().maxCoeff(), far.cwiseAbs().maxCoeff());
+  return largest <= std::numeric_limits<float>::max() &&
+         lattice.step >= std::numeric_limits<float>::min();
+}
+
 }  // namespace
 
-ExtractedMesh extract(const Grid& handle, const ExtractOptions& options,
+ExtractedMesh extract(const Grid& handle, const ExtractOptions& wanted,
                       const Progress& progress) try {
-  check_options(options);
+  check_options(wanted);
   const GridData& grid = handle.data();
-  if (grid.sheet && options.parts != Parts::kAll) {
+  if (grid.sheet && wanted.parts != Parts::kAll) {
     throw Error(ErrorCode::kInvalidOption, "`parts`: only all for a sheet, which encloses nothing");
+  }
+  ExtractOptions options = wanted;
+  if (options.strict == Strict::kEmbedded && (options.quads || !fits_in_single(grid.lattice))) {
+    options.strict = Strict::kManifold;
   }
   const double crease = cosine_of_degrees(options.crease_angle);
   ExtractedMesh out;
@@ -136,6 +155,15 @@ ExtractedMesh extract(const Grid& handle, const ExtractOptions& options,
   if (options.normals) normals = corner_normals(grid, mesh, crease);
   static_cast<Mesh&>(out) =
       emit(grid, mesh, normals, options.quads, options.strict == Strict::kEmbedded);
+  if (grid.sheet && out.report.crossings.value_or(0) > 0) {
+    out.report.crossings = std::max<std::uint64_t>(find_self_intersections(out).pairs, 1);
+  }
+  if (!grid.exact.triangles.empty()) {
+    if (out.report.crossings && !out.triangles.empty()) {
+      *out.report.crossings += count_crossings(out, grid.exact);
+    }
+    append_exact(grid.exact, options, out);
+  }
   if (!grid.sheet) leave_parts_out(grid, options.parts, out);
   check_not_empty(grid, out);
   out.warnings = collect_warnings(grid.input, grid.stats, out.report, area_of(out));

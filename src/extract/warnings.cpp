@@ -49,6 +49,18 @@ void warn_of_exactness(const GridStats& grid, const ExtractReport& report, Colle
                 "many places",
                 rounded(grid.asked_tolerance), rounded(grid.tolerance)));
   }
+  if (grid.thin_parts > 0) {
+    to.add("THIN_PARTS",
+           compose("{} not much thicker than the tolerance, and too near to others to be kept "
+                   "exactly: the thickness may differ; take a smaller tolerance",
+                   count(grid.thin_parts, "part is", "parts are")));
+  }
+  if (grid.exact_parts > 0) {
+    to.add("THIN_PARTS_EXACT",
+           compose("{} not much thicker than the tolerance, and taken over as given, with {}",
+                   count(grid.exact_parts, "part is", "parts are"),
+                   count(grid.exact_triangles, "triangle", "triangles")));
+  }
   if (grid.unresolved_leaves > 0) {
     to.add("TOPOLOGY_UNRESOLVED",
            compose("the topology was given up in {}: parts nearer to each other than the tolerance "

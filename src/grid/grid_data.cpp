@@ -15,7 +15,9 @@ std::size_t bytes_of(const std::vector<T>& v) {
 std::size_t GridData::bytes() const {
   return bytes_of(cells) + bytes_of(edge_begin) + bytes_of(hits) + bytes_of(opposite) +
          bytes_of(start) + bytes_of(planes) + bytes_of(source_faces) + bytes_of(source_operands) +
-         bytes_of(rims) + bytes_of(corners) + bytes_of(operands) + sizeof(GridData);
+         bytes_of(rims) + bytes_of(corners) + bytes_of(operands) + bytes_of(exact.positions) +
+         bytes_of(exact.triangles) + bytes_of(exact.source_faces) +
+         bytes_of(exact.source_operands) + sizeof(GridData);
 }
 
 std::vector<LatticeBox> cell_boxes(const GridData& grid) {

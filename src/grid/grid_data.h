@@ -45,6 +45,7 @@
 #include "grid/hit_range.h"
 #include "kdmanifold/build.h"
 #include "kdmanifold/grid.h"
+#include "kdmanifold/mesh.h"
 
 namespace kdm {
 
@@ -144,6 +145,9 @@ struct GridData {
   /// Of a Boolean operation, per plane the number of its operand; kNone: of the box round them all.
   /// Empty if the grid was built from one mesh.
   std::vector<Index> source_operands;
+  /// Thin parts of the input that are no matter of cells and hits: the result has them as they are.
+  /// Triangles only, in model units; coordinates are 32-bit floats.
+  Mesh exact;
   bool sheet = false;  ///< it is the grid of a sheet: half-edges may lie on the boundary
   /// The inside rule and the option `thicken` that the grid was built with. Saved grids do not
   /// tell.

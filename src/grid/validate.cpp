@@ -2,10 +2,13 @@
 // Checks the invariants of a grid, rule by rule.
 #include "grid/validate.h"
 
+#include <algorithm>
+
 #include "grid/faces.h"
 #include "grid/splitting_edges.h"
 #include "kdmanifold/error.h"
 #include "mesh/marks.h"
+#include "mesh/topology.h"
 #include "text/compose.h"
 
 namespace kdm {
@@ -188,6 +191,23 @@ void validate_corners(const GridData& grid) {
   }
 }
 
+void validate_exact(const GridData& grid) {
+  const Mesh& exact = grid.exact;
+  const std::size_t operands = grid.operands.empty() ? 0 : exact.triangles.size();
+  require(exact.source_faces.size() == exact.triangles.size() &&
+              exact.source_operands.size() == operands && exact.quads.empty(),
+          "an exact triangle has a source face", exact.source_faces.size());
+  for (std::size_t t = 0; t < exact.triangles.size(); ++t) {
+    const auto& [a, b, c] = exact.triangles[t];
+    require(std::max({a, b, c}) < exact.positions.size() && a != b && b != c && c != a,
+            "an exact triangle has three vertices", t);
+  }
+  const Topology topology =
+      build_topology(exact.triangles, static_cast<Index>(exact.positions.size()));
+  require(topology.closed() && topology.non_manifold_edges == 0,
+          "exact triangles meet in pairs along their edges", topology.unbalanced_edges);
+}
+
 }  // namespace
 
 void validate(const GridData& grid) {
@@ -200,6 +220,7 @@ void validate(const GridData& grid) {
   validate_planes(grid);
   validate_rims(grid);
   validate_corners(grid);
+  validate_exact(grid);
   FaceValidation faces(grid);
   for_each_face(grid, boxes, faces);
   faces.finish();

@@ -79,23 +79,28 @@ void check_combination(const BuildOptions& options, const IsGiven& given) {
       options.strategy == SplitStrategy::kMedian || options.strategy == SplitStrategy::kUniform;
   const bool repair = options.inside == InsideRule::kRepair;
   const bool sided = options.pairing == Pairing::kInside || options.pairing == Pairing::kOutside;
+  const bool sheets = options.thicken_what == ThickenWhat::kSheets;
+  const bool shells_all = options.thicken > 0 && !sheets;
   const char* const by_tolerance = "only with `strategy` adaptive, octree or feature";
   const char* const by_repair = "only with `inside` repair";
-  demand(
-      {{"relative_tolerance", options.tolerance == 0, "not together with `tolerance`"},
-       {"tolerance", !counts, by_tolerance},
-       {"relative_tolerance", !counts, by_tolerance},
-       {"winding_threshold", repair, by_repair},
-       {"largest_hole", repair, by_repair},
-       {"largest_hole", options.thicken == 0, "not together with `thicken`, which leaves no holes"},
-       {"pairing", !sided || options.inside != InsideRule::kSheet,
-        "only trace or hermite with `inside` sheet"}},
-      given);
+  demand({{"relative_tolerance", options.tolerance == 0, "not together with `tolerance`"},
+          {"tolerance", !counts, by_tolerance},
+          {"relative_tolerance", !counts, by_tolerance},
+          {"winding_threshold", repair, by_repair},
+          {"largest_hole", repair, by_repair},
+          {"largest_hole", !shells_all, "not together with `thicken`, which leaves no holes"},
+          {"thicken_what", options.thicken > 0, "only with `thicken`"},
+          {"thicken_what", !sheets || repair, "sheets only with `inside` repair"},
+          {"thicken_what", !sheets || options.winding_threshold == 0,
+           "not sheets together with `winding_threshold`"},
+          {"pairing", !sided || options.inside != InsideRule::kSheet,
+           "only trace or hermite with `inside` sheet"}},
+         given);
 }
 
 void check_combination(const ExtractOptions& options, const IsGiven& given) {
-  demand({{"quads", !options.quads || options.strict != Strict::kEmbedded,
-           "not together with `strict` embedded"},
+  demand({{"strict", !options.quads || options.strict != Strict::kEmbedded,
+           "not embedded together with `quads`"},
           {"link_error", !options.quads, "not together with `quads`"},
           {"crease_angle", options.normals, "only with `normals`"}},
          given);
@@ -111,6 +116,7 @@ void check_options(const BuildOptions& options) {
     }
     if (name == "winding_threshold") return options.winding_threshold != standard.winding_threshold;
     if (name == "largest_hole") return options.largest_hole != standard.largest_hole;
+    if (name == "thicken_what") return options.thicken_what != standard.thicken_what;
     return options.pairing != standard.pairing;
   });
 }
@@ -119,7 +125,7 @@ void check_options(const ExtractOptions& options) {
   check_fields(options);
   const ExtractOptions standard;
   check_combination(options, [&](std::string_view name) {
-    if (name == "quads") return options.quads != standard.quads;
+    if (name == "strict") return options.strict != standard.strict;
     if (name == "link_error") return options.link_error != standard.link_error;
     return options.crease_angle != standard.crease_angle;
   });

@@ -60,6 +60,7 @@ void append_solid(const Surface& solid, Index number, Index first_point, Surface
     return side == kNone ? kNone : side + 3 * first_triangle;
   };
   append(all.triangles, solid.triangles);
+  append(all.points, solid.points);
   append(all.planes, solid.planes);
   append(all.source_faces, solid.source_faces);
   for (const Triangle& t : solid.corners) {

@@ -19,6 +19,7 @@
 #include "prepare/patches.h"
 #include "prepare/sew.h"
 #include "prepare/sheets.h"
+#include "prepare/thicken_faces.h"
 
 namespace kdm {
 namespace {
@@ -106,16 +107,24 @@ void add_patch(const Patch& patch, InputFaces& faces) {
 }
 
 // Closes the holes of solids, and leaves sheets out unless they have much area.
-void close_holes(InputFaces& faces, const Marks& seen_from_both_sides, double tolerance) {
+// Where `thickness` is above 0, sheets get that thickness instead.
+void close_holes(InputFaces& faces, const Marks& seen_from_both_sides, double tolerance,
+                 double thickness) {
   const std::vector<Hole> holes =
       find_holes(faces.triangles, static_cast<Index>(faces.points.size()), faces.topology.opposite);
   const std::vector<Patch> patches =
       make_patches(faces.triangles, faces.points, holes, kFlatness * tolerance);
   const Sheets sheets = find_sheets(faces.triangles, faces.points, faces.topology.opposite, holes,
                                     patches, seen_from_both_sides);
+  const bool thickens = sheets.parts > 0 && thickness > 0;
   const bool negligible =
-      sheets.area_of_solids > 0 && sheets.area <= kMostLost * (sheets.area + sheets.area_of_solids);
-  if (sheets.parts > 0 && negligible) {
+      thickens || (sheets.area_of_solids > 0 &&
+                   sheets.area <= kMostLost * (sheets.area + sheets.area_of_solids));
+  if (thickens) {
+    thicken_faces(faces, sheets.triangles, thickness);
+    faces.bounds = bounds_of(faces);
+    faces.report.thickened_parts = sheets.parts;
+  } else if (sheets.parts > 0 && negligible) {
     drop_faces(faces, sheets.triangles);
     faces.bounds = bounds_of(faces);
     faces.report.lost_parts = sheets.parts;
@@ -147,7 +156,10 @@ void repair_faces(InputFaces& faces, const BuildOptions& options, double toleran
   const std::vector<BoundaryLoop> rims = find_rim_loops(faces.topology.opposite);
   faces.report.boundary_loops = static_cast<Index>(rims.size());
   if (options.largest_hole > 0) check_holes(rims, faces, options.largest_hole);
-  if (options.winding_threshold == 0) close_holes(faces, seen_from_both_sides, tolerance);
+  const bool thickens = options.thicken_what == ThickenWhat::kSheets;
+  if (options.winding_threshold == 0) {
+    close_holes(faces, seen_from_both_sides, tolerance, thickens ? options.thicken : 0);
+  }
   faces.repair = !faces.topology.closed();
   if (faces.repair) pair_straightest(faces.triangles, faces.points, faces.topology);
 }

@@ -23,6 +23,7 @@ struct Surface {
   double extent = 0;  ///< what a relative tolerance is a fraction of (see InputReport), model units
   std::vector<LatticeTriangle> triangles;
   std::vector<Triangle> corners;    ///< the welded points (PointId) that the corners lie at
+  std::vector<Vec3> points;         ///< the welded points, in model units
   std::vector<Plane> planes;        ///< of the triangles before rounding, in lattice units
   std::vector<Index> source_faces;  ///< as in InputFaces: the face that each triangle came from
   Marks degenerate;   ///< triangles without area on the lattice: no grid line crosses them

@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <new>
+#include <utility>
 
 #include "geometry/angle.h"
 #include "geometry/triangle.h"
@@ -22,8 +23,10 @@
 #include "mesh/polygons.h"
 #include "mesh/scale.h"
 #include "mesh/topology.h"
+#include "prepare/edit_faces.h"
 #include "prepare/neighbours.h"
 #include "prepare/non_manifold_edges.h"
+#include "prepare/thicken_faces.h"
 #include "prepare/weld.h"
 #include "text/compose.h"
 
@@ -79,14 +82,19 @@ struct Offset {
 
 class Thickener {
  public:
-  // `points` and `thickness` must be scaled so that coordinates are about 1.
+  // `points` and `thickness` must be scaled so that coordinates are about 1. `opposite` says which
+  // sides are joined.
   Thickener(const std::vector<Triangle>& triangles, const std::vector<Vec3>& points,
-            double thickness)
-      : triangles_(triangles), points_(points), thickness_(thickness), rim_(3 * triangles.size()) {
+            std::vector<SideId> opposite, double thickness)
+      : triangles_(triangles),
+        points_(points),
+        thickness_(thickness),
+        opposite_(std::move(opposite)),
+        rim_(3 * triangles.size()) {
     for (const Triangle& t : triangles_) {
       normals_.push_back(unit_normal(points_[t[0]], points_[t[1]], points_[t[2]]));
     }
-    join_sides();
+    find_ends();
   }
 
   bool has_area() const {
@@ -105,19 +113,26 @@ class Thickener {
   // Makes the shell, which is closed and consistently oriented by construction: the sides of the
   // triangles within a piece pair off on either side of the surface; where a piece ends, a wall of
   // two triangles pairs with the sides above and below it and, at its ends, with the next walls.
-  Mesh shell(const std::vector<Index>& source) const {
+  // Only the wanted triangles get a shell; they must be joined to no others.
+  Mesh shell(const std::vector<Index>& source, const Marks& wanted) const {
     Mesh mesh;
-    for (const Offset& o : offsets_) {
+    std::vector<Index> number(offsets_.size(), kNone);  // of a fan's first vertex
+    for (SideId corner = 0; corner < fan_.size(); ++corner) {
+      Index& first = number[fan_[corner]];
+      if (first != kNone || !wanted.test(triangle_of(corner))) continue;
+      const Offset& o = offsets_[fan_[corner]];
+      first = static_cast<Index>(mesh.positions.size());
       mesh.positions.push_back(o.middle + o.out);
       mesh.positions.push_back(o.middle - o.out);
     }
-    const auto upper = [&](SideId corner) { return 2 * fan_[corner]; };
-    const auto lower = [&](SideId corner) { return 2 * fan_[corner] + 1; };
+    const auto upper = [&](SideId corner) { return number[fan_[corner]]; };
+    const auto lower = [&](SideId corner) { return number[fan_[corner]] + 1; };
     const auto add = [&](TriangleId triangle, Index a, Index b, Index c) {
       mesh.triangles.push_back({a, b, c});
       mesh.source_faces.push_back(source[triangle]);
     };
     for (TriangleId t = 0; t < triangles_.size(); ++t) {
+      if (!wanted.test(t)) continue;
       add(t, upper(3 * t), upper(3 * t + 1), upper(3 * t + 2));
       add(t, lower(3 * t + 2), lower(3 * t + 1), lower(3 * t));
       for (SideId side = 3 * t; side < 3 * t + 3; ++side) {
@@ -136,10 +151,8 @@ class Thickener {
     return points_[triangles_[triangle_of(corner)][corner_of(corner)]];
   }
 
-  void join_sides() {
-    Topology topology = build_topology(triangles_, static_cast<Index>(points_.size()));
-    pair_straightest(triangles_, points_, topology);
-    opposite_ = std::move(topology.opposite);
+  // Finds the rim of the surface, and where pieces end within it.
+  void find_ends() {
     EdgeSides(triangles_, static_cast<Index>(points_.size()))
         .for_each_edge([&](Index, std::span<const EdgeSide> edge) {
           if (edge.size() == 1) rim_.set(edge[0].side);
@@ -262,8 +275,8 @@ class Thickener {
   const std::vector<Triangle>& triangles_;
   const std::vector<Vec3>& points_;
   double thickness_;
-  std::vector<Vec3> normals_;     // per triangle; zero if it has no area
   std::vector<SideId> opposite_;  // per side; kNone where a piece ends
+  std::vector<Vec3> normals_;     // per triangle; zero if it has no area
   Marks rim_;                     // sides at which the surface itself ends
   std::vector<Index> fan_;        // per corner
   std::vector<Offset> offsets_;   // per fan
@@ -290,16 +303,37 @@ Mesh thicken(const Mesh& mesh, double thickness) try {
   const Faces all = welded_faces(mesh, weld);
   const auto [places, exponent] = scale_to_one(points, all.triangles);
   const Faces surface = oriented_faces(all, places);
-  Thickener thickener(surface.triangles, places, std::ldexp(thickness, -exponent));
+  Topology topology = build_topology(surface.triangles, static_cast<Index>(places.size()));
+  pair_straightest(surface.triangles, places, topology);
+  Thickener thickener(surface.triangles, places, std::move(topology.opposite),
+                      std::ldexp(thickness, -exponent));
   if (!thickener.has_area()) {
     throw Error(ErrorCode::kInvalidMesh, "no face of the mesh has an area");
   }
   thickener.run();
-  Mesh shell = thickener.shell(surface.source);
+  Marks all_of_it;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) all_of_it.push_back(true);
+  Mesh shell = thickener.shell(surface.source, all_of_it);
   shell.positions = scaled(shell.positions, exponent);
   return shell;
 } catch (const std::bad_alloc&) {
   throw Error(ErrorCode::kOutOfMemory, "there is not enough memory to thicken the surface");
+}
+
+void thicken_faces(InputFaces& faces, const Marks& wanted, double thickness) {
+  const auto [places, exponent] = scale_to_one(faces.points, faces.triangles);
+  Thickener thickener(faces.triangles, places, faces.topology.opposite,
+                      std::ldexp(thickness, -exponent));
+  thickener.run();
+  const Mesh shell = thickener.shell(faces.source_faces, wanted);
+  drop_faces(faces, wanted);
+  const auto first = static_cast<Index>(faces.points.size());
+  for (const Vec3& p : scaled(shell.positions, exponent)) faces.points.push_back(p);
+  for (const Triangle& t : shell.triangles) {
+    faces.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  }
+  faces.source_faces.insert(faces.source_faces.end(), shell.source_faces.begin(),
+                            shell.source_faces.end());
 }
 
 }  // namespace kdm

@@ -242,7 +242,6 @@ const table = [
     /^1 of 1 holes are wider than `largestHole`, which is 0\.1;/,
   ],
   ...[
-    [{ quads: true, strict: 'embedded' }, /^quads: not together with `strict` embedded$/],
     [{ quads: true, linkError: 1 }, /^linkError: not together with `quads`$/],
     [{ creaseAngle: 20 }, /^creaseAngle: only with `normals`$/],
   ].map(([options, message]) => [

@@ -168,7 +168,8 @@ test.each([...build, ...extract, ...reduction].map((option) => [option.name, opt
       const [legal, wrong] = type === 'boolean' ? [[], []] : values(option);
       const taken = type === 'boolean' ? [[flag]] : legal.map((value) => [flag, String(value)]);
       // It has no effect without.
-      const beside = flag === '--crease-angle' ? ['--normals'] : [];
+      const beside =
+        { '--crease-angle': ['--normals'], '--thicken-what': ['--thicken=1'] }[flag] ?? [];
       for (const args of taken) {
         for (const line of tell([...args, ...beside]))
           expect(line).toMatch(/^kdmanifold: none\.obj: cannot be/);

@@ -42,6 +42,37 @@ test('the option thicken builds it', async () => {
   });
 });
 
+// A cube with a fin across its first side, which is at x = 1: from -1 to 1 along y, 0.5 to 3 along x.
+const cubeWithFin = () => {
+  const { positions, indices } = cube();
+  const first = positions.length / 3;
+  const fin = [0.5, -1, 0, 3, -1, 0, 3, 1, 0, 0.5, 1, 0];
+  return {
+    positions: Float64Array.of(...positions, ...fin),
+    indices: Uint32Array.of(...indices, ...[0, 1, 2, 0, 2, 3].map((i) => first + i)),
+  };
+};
+
+test("thickenWhat 'sheets' thickens sheets and leaves solids as they are", async () => {
+  const options = { thicken: 0.2, thickenWhat: 'sheets', relativeTolerance: 0.002, reduce: false };
+  const { mesh, report } = await makeManifold(cubeWithFin(), options);
+  expect(report.input.thickenedParts).toBe(1);
+  expect(report.output.components).toBe(1);
+  expect(volume(mesh)).toBeCloseTo(8 + 2 * 2 * 0.2, 1);
+  const solid = await makeManifold(cube(), options);
+  expect(solid.report.input.thickenedParts).toBe(0);
+  expect(volume(solid.mesh)).toBeCloseTo(8, 5);
+});
+
+test('the thickness itself is a number, whatever gets it', () => {
+  expect(() => kdm.buildGrid(cubeWithFin(), { thicken: 'sheets' })).toThrow(
+    expect.objectContaining({
+      code: 'INVALID_OPTION',
+      message: "thicken: expected a number from 0 on beside thickenWhat 'sheets', got 'sheets'",
+    }),
+  );
+});
+
 test.each([0, -1, NaN, Infinity, '1', undefined])('thickness %p is refused', (thickness) => {
   expect(() => kdm.thicken(openBox(), thickness)).toThrow(
     expect.objectContaining({

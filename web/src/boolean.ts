@@ -25,7 +25,7 @@ const own = [...solidKeys, ...jobKeys];
  * Makes the union, intersection, difference or symmetric difference of meshes in whatever state, or what any expression
  * says of them: each is prepared as `makeManifold` does, then all are joined exactly; faces on faces, also of different
  * operands, leave nothing behind. Works in a worker as `makeManifold` does, and reduces the result as that does unless
- * `reduce` is false. Unless `strict` or `quads` is given, no two triangles of it cross or touch.
+ * `reduce` is false.
  *
  * @param expression - an operation, which joins all operands from left to right, or an expression over their numbers:
  *   `['difference', 0, ['union', 1, 2]]`
@@ -56,8 +56,7 @@ export async function boolean(
     throw new KdManifoldError('INVALID_OPTION', 'options: expected an object');
   }
   const checked = checkSolids(expression, operands, options);
-  const strict = options.strict ?? (options.quads ? 'manifold' : 'embedded');
-  const made = checkMakeOptions({ ...options, strict }, own);
+  const made = checkMakeOptions(options, own);
   const job = jobOf(options);
   const solids = checked.solids.map((solid) => ({ ...solid, ...ownMesh(solid, options) }));
   return submit({

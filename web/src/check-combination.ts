@@ -25,8 +25,19 @@ const buildRules: Rule<BuildOptions>[] = [
   ['largestHole', noRepair, 'only with `inside` repair'],
   [
     'largestHole',
-    ({ thicken = 0 }) => thicken > 0,
+    ({ thicken = 0, thickenWhat }) => thicken > 0 && thickenWhat !== 'sheets',
     'not together with `thicken`, which leaves no holes',
+  ],
+  ['thickenWhat', ({ thicken = 0 }) => thicken === 0, 'only with `thicken`'],
+  [
+    'thickenWhat',
+    (options) => options.thickenWhat === 'sheets' && noRepair(options),
+    'sheets only with `inside` repair',
+  ],
+  [
+    'thickenWhat',
+    ({ thickenWhat, windingThreshold = 0 }) => thickenWhat === 'sheets' && windingThreshold > 0,
+    'not sheets together with `windingThreshold`',
   ],
   [
     'pairing',
@@ -37,9 +48,9 @@ const buildRules: Rule<BuildOptions>[] = [
 
 const extractRules: Rule<ExtractOptions>[] = [
   [
-    'quads',
+    'strict',
     ({ quads = false, strict }) => quads && strict === 'embedded',
-    'not together with `strict` embedded',
+    'not embedded together with `quads`',
   ],
   ['linkError', ({ quads = false }) => quads, 'not together with `quads`'],
   ['creaseAngle', ({ normals = false }) => !normals, 'only with `normals`'],

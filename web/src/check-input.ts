@@ -196,7 +196,9 @@ function checkOption(name: string, value: unknown, spec: OptionSpec): void {
     case 'integer':
     case 'number':
       if (!isLegal(value, spec)) {
-        refuse(`a ${spec.kind === 'integer' ? 'whole ' : ''}number ${rangeText(spec)}`);
+        const beside =
+          name === 'thicken' && value === 'sheets' ? " beside thickenWhat 'sheets'" : '';
+        refuse(`a ${spec.kind === 'integer' ? 'whole ' : ''}number ${rangeText(spec)}${beside}`);
       }
       break;
     case 'numbers':

@@ -86,7 +86,7 @@ export class Grid {
    * import { load } from 'kdmanifold';
    *
    * const grid = (await load()).buildGrid({ positions, indices });
-   * const mesh = grid.extract({ strict: 'embedded', normals: true });
+   * const mesh = grid.extract({ normals: true });
    * console.log(mesh.indices.length / 3, mesh.report.crossings);
    * grid.delete();
    * ```

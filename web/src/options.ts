@@ -69,9 +69,17 @@ export interface BuildOptions {
   pairing?: 'trace' | 'hermite' | 'inside' | 'outside';
   /**
    * Build a shell of this thickness around the surface, which may be open, in model units. The
-   * report's `input` is that of the shell. 0, the default: the input itself is built.
+   * report's `input` is that of the shell, unless only sheets get one. 0, the default: the input
+   * itself is built.
    */
   thicken?: number;
+  /**
+   * `thicken`: what gets a thickness:
+   * - `all` (default): all of it, whatever it bounds
+   * - `sheets`: parts that bound nothing, also fins and ribs on solids, which stay as they are; of
+   *   `repair`
+   */
+  thickenWhat?: 'all' | 'sheets';
 }
 
 /** How a grid becomes a mesh. */
@@ -118,10 +126,11 @@ export interface ExtractOptions {
   /**
    * What the result must be as an index mesh:
    * - `off`: the raw dual surface, whose half-edges are manifold but not its vertex numbers
-   * - `manifold` (default): 2-manifold: vertices are added where two parts of the surface would
-   *   share an edge, parts without volume are dropped
-   * - `embedded`: the same, and no two triangles cross or touch but where they share vertices, none
-   *   is without area; holds for the 32-bit coordinates. Not with `quads`
+   * - `manifold`: 2-manifold: vertices are added where two parts of the surface would share an
+   *   edge, parts without volume are dropped
+   * - `embedded` (default): the same, and no two triangles cross or touch but where they share
+   *   vertices, none is without area; holds for the 32-bit coordinates, so vertices may be told by
+   *   their positions alone, as in STL files. With `quads` as `manifold`
    */
   strict?: 'off' | 'manifold' | 'embedded';
   /**
@@ -204,6 +213,7 @@ export const buildOptions: OptionTable<BuildOptions> = {
     default: 'trace',
   },
   thicken: { flag: '--thicken', kind: 'number', least: 0, default: 0 },
+  thickenWhat: { flag: '--thicken-what', kind: 'choice', words: ['all', 'sheets'], default: 'all' },
 };
 
 /** @internal */
@@ -223,7 +233,7 @@ export const extractOptions: OptionTable<ExtractOptions> = {
     flag: '--strict',
     kind: 'choice',
     words: ['off', 'manifold', 'embedded'],
-    default: 'manifold',
+    default: 'embedded',
   },
   normals: { flag: '--normals', kind: 'boolean', default: false },
   creaseAngle: { flag: '--crease-angle', kind: 'number', least: 0, most: 180, default: 30 },

@@ -52,6 +52,8 @@ export interface InputReport {
   lostArea: number;
   /** `repair`: area of the largest of them. In square model units. */
   largestLost: number;
+  /** `repair`: parts that bound nothing and were given a thickness. */
+  thickenedParts: number;
   /**
    * `repair`: distance up to which boundary edges were joined: the tolerance, or more where most of
    * them lie further from their partners; 0 if none was joined. In model units.
@@ -110,6 +112,15 @@ export interface GridStats {
    * second, fourth and so on. Saved grids do not keep them. In model units.
    */
   unresolvedPositions: OwnFloat64Array;
+  /**
+   * `adaptive`, `octree`, `feature`: parts about as thin as the tolerance that meet no others; they
+   * are taken over just as they are in the input.
+   */
+  exactParts: number;
+  /** Triangles of these parts. */
+  exactTriangles: number;
+  /** Further thin parts, whose thickness may differ in the result. */
+  thinParts: number;
   /** Faces between leaves with more than two hits. */
   ambiguousFaces: number;
   /** Ambiguous faces that a trace of the input could not decide. */
@@ -144,9 +155,9 @@ export interface ExtractReport {
    */
   inventedArea: number;
   /**
-   * `embedded`: pairs of triangles that still cross or touch; 0 unless parts of the surface nearer
-   * to each other than 32 bits tell apart are in each other's way, or sheets cross. Otherwise null:
-   * nobody has looked.
+   * `embedded`: pairs of triangles that still cross or touch, and triangles without area; 0 unless
+   * parts of the surface nearer to each other than 32 bits tell apart are in each other's way, or
+   * sheets cross. Otherwise null: nobody has looked.
    */
   crossings: number | null;
 }
@@ -304,9 +315,9 @@ export interface OutputReport {
    */
   inventedArea: number;
   /**
-   * `embedded`: pairs of triangles that still cross or touch; 0 unless parts of the surface nearer
-   * to each other than 32 bits tell apart are in each other's way, or sheets cross. Otherwise null:
-   * nobody has looked.
+   * `embedded`: pairs of triangles that still cross or touch, and triangles without area; 0 unless
+   * parts of the surface nearer to each other than 32 bits tell apart are in each other's way, or
+   * sheets cross. Otherwise null: nobody has looked.
    */
   crossings: number | null;
 }

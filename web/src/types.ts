@@ -134,7 +134,9 @@ export interface Warning {
     | 'SEWN_FAR'
     | 'HOLES_CLOSED'
     | 'WINDING_THRESHOLD'
-    | 'STRAY_PARTS';
+    | 'STRAY_PARTS'
+    | 'THIN_PARTS'
+    | 'THIN_PARTS_EXACT';
   /** For people, with numbers. */
   message: string;
 }

@@ -35,6 +35,8 @@ class CrossingPairs {
   std::vector<TriangleId> triangles() const;
   /// Lists the pairs of triangles that cross or touch, in no particular order.
   std::span<const std::pair<TriangleId, TriangleId>> pairs() const { return pairs_; }
+  /// Counts the triangles without area.
+  std::size_t flat() const { return flat_triangles_.size(); }
 
  private:
   void forget_changed(const DualMesh& mesh);

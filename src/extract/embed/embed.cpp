@@ -11,9 +11,12 @@
 #include "extract/embed/embed.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
+#include "extract/dual/clearance.h"
 #include "extract/embed/crossing_pairs.h"
 #include "extract/embed/loop_position.h"
 #include "extract/embed/nested_loops.h"
@@ -21,6 +24,7 @@
 #include "extract/embed/restore.h"
 #include "extract/mend/mend_edges.h"
 #include "extract/place/add_vertices.h"
+#include "mesh/marks.h"
 #include "mesh/progress.h"
 #include "mesh/sort.h"
 
@@ -30,11 +34,15 @@ namespace {
 // The most that vertices keep off sides, as a fraction of the tolerance: too little to be seen in a
 // result.
 constexpr double kMaxMargin = 1.0 / 32;
+// A vertex no further than this from a plane lies on it; as a fraction of the tolerance.
+constexpr double kOnPlanes = 1.0 / 1024;
 // How far vertices move at a time where parts touch, and how far in all, as fractions of the
 // tolerance.
 constexpr double kParting = 1.0 / 16;
 constexpr double kMostParting = 1.0 / 4;
 constexpr int kMostPartings = 2;  // between two rounds
+// Sheets of which more pairs cross than this share of their hits cross each other as such.
+constexpr double kMostCrossingSheets = 1.0 / 16;
 
 class Rounds {
  public:
@@ -53,7 +61,7 @@ class Rounds {
     CrossingPairs crossing_pairs(view_, loops_, log_);
     crossing_pairs.find(mesh_);
     double opened = 0;  // how far vertices at contacts have moved
-    for (int round = 1;; ++round) {
+    for (int round = 1; !sheets_cross(crossing_pairs); ++round) {
       for (int i = 0; i < kMostPartings && !crossing_pairs.pairs().empty(); ++i) {
         const std::vector<HitId> changed = part_pairs(crossing_pairs, opened);
         if (changed.empty()) break;
@@ -65,22 +73,92 @@ class Rounds {
       report_progress(progress, 0.9 - 0.2 / (1 + round), "faces");
       crossing_pairs.update(mesh_, remake_part());
     }
+    move_loops_back(crossing_pairs);
     const auto refined = std::count_if(levels_.hits.begin(), levels_.hits.end(),
                                        [](auto level) { return level != EmbedLevel::kTriangle; });
     return {std::move(mesh_), std::move(log_), static_cast<Index>(refined),
-            crossing_pairs.pairs().size()};
+            crossing_pairs.pairs().size() + crossing_pairs.flat()};
   }
 
  private:
+  // Tells whether so many triangles of a sheet cross that no vertices part them.
+  bool sheets_cross(const CrossingPairs& crossing_pairs) const {
+    return view_.grid.sheet && static_cast<double>(crossing_pairs.pairs().size()) >
+                                   kMostCrossingSheets * static_cast<double>(levels_.hits.size());
+  }
+
   // Moves the loops' vertices a little off the sides of their leaves: nearly all triangles are then
   // safe from each other. In an open mesh only moves them into their leaves, so that vertices at
   // rims stay where they are.
   void move_loops_off_sides() {
-    const double margin = loops_.open ? 0 : kMaxMargin * view_.grid.tolerance;
+    const double margin = loops_.open ? 0 : kMaxMargin / 2 * view_.grid.tolerance;
+    const double least = std::min(least_margin(), margin);
     for (LoopId v = 0; v < loops_.vertices(); ++v) {
-      loops_.position[v] =
-          rounded(off_sides(view_.boxes[loops_.leaf[v]], margin, loops_.position[v]));
+      const Vec3 position = off_leaf_sides(v, margin);
+      const Vec3 nearest = off_leaf_sides(v, least);
+      if (position != nearest && leaves_plane(v, position)) {
+        moved_off_.push_back({v, position, nearest});
+      }
+      loops_.position[v] = position;
     }
+  }
+
+  // Moves vertices back to the planes of their hits, as far as nothing crosses for that.
+  void move_loops_back(CrossingPairs& crossing_pairs) {
+    Marks back(loops_.vertices());
+    std::vector<HitId> changed;
+    const auto put = [&](LoopId v, const Vec3& position) {
+      mesh_.position[v] = position;
+      for (const HalfEdgeId h : mesh_.ring(v)) changed.push_back(mesh_.hit[h / 3]);
+    };
+    for (const MovedLoop& moved : moved_off_) {
+      if (mesh_.first_half_edge[moved.loop] == kNone) continue;
+      if (mesh_.position[moved.loop] != moved.position) continue;  // it has moved since
+      back.set(moved.loop);
+      put(moved.loop, moved.nearest);
+    }
+    while (!changed.empty()) {
+      make_set(changed);
+      crossing_pairs.update(mesh_, changed);
+      changed.clear();
+      Marks crossing(loops_.vertices());
+      for (const TriangleId t : crossing_pairs.triangles()) {
+        for (HalfEdgeId h = 3 * t; h < 3 * t + 3; ++h) {
+          if (mesh_.vertex[h] < loops_.vertices()) crossing.set(mesh_.vertex[h]);
+        }
+      }
+      for (const MovedLoop& moved : moved_off_) {
+        if (!back.test(moved.loop) || !crossing.test(moved.loop)) continue;
+        back.clear(moved.loop);
+        put(moved.loop, moved.position);
+      }
+    }
+  }
+
+  // Tells whether the loop's vertex lies on the plane of a hit of it, and the point does not.
+  bool leaves_plane(LoopId v, const Vec3& point) const {
+    const double reach = kOnPlanes * view_.grid.tolerance;
+    for (const HalfEdgeId h : loops_.ring(v)) {
+      const Plane& plane = view_.grid.plane_of(loops_.hit[h / 3]);
+      if (plane.distance(loops_.position[v]) <= reach && plane.distance(point) > reach) return true;
+    }
+    return false;
+  }
+
+  // Returns the loop's position, at least so far off the sides of its leaf, or as far as the leaf's
+  // size allows.
+  Vec3 off_leaf_sides(LoopId v, double margin) const {
+    return rounded(off_sides(view_.boxes[loops_.leaf[v]], 2 * margin, loops_.position[v]));
+  }
+
+  // Returns the margin, in lattice units, which shows that a vertex lies inside of its leaf,
+  // whatever rounding to 32 bits does.
+  double least_margin() const {
+    const Lattice& lattice = view_.grid.lattice;
+    const Vec3 far = lattice.to_model(Vec3::Constant(kLatticeSize));
+    const double largest =
+        std::max(lattice.origin.cwiseAbs().maxCoeff(), far.cwiseAbs().maxCoeff());
+    return 2 * kClear + largest * std::numeric_limits<float>::epsilon() / 2 / lattice.step;
   }
 
   void make_whole_mesh(std::span<const LoopId> missed) {
@@ -211,9 +289,25 @@ class Rounds {
     }
   }
 
-  // Returns the nearest point, in lattice units, whose model coordinates are 32-bit floats.
+  // Returns the nearest point of the root cell, in lattice units, whose model coordinates are
+  // 32-bit floats.
   Vec3 rounded(const Vec3& position) const {
-    return view_.grid.lattice.to_lattice(single_precision(view_.grid.lattice, position));
+    const Lattice& lattice = view_.grid.lattice;
+    Vec3 p = single_precision(lattice, position);
+    for (int axis = 0; axis < 3; ++axis) {
+      const double low = lattice.origin[axis];
+      const double high = low + lattice.step * kLatticeSize;
+      if (p[axis] < low) p[axis] = next_single(static_cast<float>(low), low, high);
+      if (p[axis] > high) p[axis] = next_single(static_cast<float>(high), low, high);
+    }
+    return lattice.to_lattice(p);
+  }
+
+  // Returns the float between two numbers that is the next to the given one, or that one.
+  static float next_single(float value, double low, double high) {
+    if (value < low) return std::nextafter(value, std::numeric_limits<float>::max());
+    if (value > high) return std::nextafter(value, std::numeric_limits<float>::lowest());
+    return value;
   }
 
   GridView view_;
@@ -222,6 +316,14 @@ class Rounds {
   DualMesh mesh_;   // made from `loops_`
   EditLog log_;     // what was done to `mesh_`
   EmbedLevels levels_;
+  // Loops whose vertices were moved off sides and thus off the plane of a hit: where
+  // they were put, and where they would be as near to the sides as can be.
+  struct MovedLoop {
+    LoopId loop;
+    Vec3 position;
+    Vec3 nearest;
+  };
+  std::vector<MovedLoop> moved_off_;
   std::vector<HitId> hits_to_remake_;  // in the present round, some of them several times
 };
 

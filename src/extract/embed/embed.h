@@ -17,8 +17,9 @@ struct Embedding {
   DualMesh mesh;
   EditLog log;                  ///< what was done to the mesh since its loops were found
   Index refined_hits = 0;       ///< number of hits above level `kTriangle`
-  std::uint64_t crossings = 0;  ///< pairs of triangles that still cross or touch; 0 but for rare
-                                ///< input, such as solids that touch themselves along an edge
+  std::uint64_t crossings = 0;  ///< pairs of triangles that still cross or touch, and triangles
+                                ///< without area; 0 but for rare input, such as solids that touch
+                                ///< themselves along an edge
 };
 
 /// Makes a mesh that does not cross or touch itself from `loops`, the mesh with one triangle for

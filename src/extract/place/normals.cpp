@@ -23,9 +23,9 @@ double sine_of_half_angle(const Vec3& a, const Vec3& b) {
 
 class CornerNormals {
  public:
-  CornerNormals(const GridData& grid, const DualMesh& mesh, double crease_cosine)
-      : grid_(grid),
-        mesh_(mesh),
+  CornerNormals(const DualMesh& mesh, std::span<const Vec3> face_normals, double crease_cosine)
+      : mesh_(mesh),
+        face_normals_(face_normals),
         limit_(crease_cosine - kSlack),
         normals_(mesh.opposite.size(), Vec3::Zero()),
         done_(mesh.opposite.size()) {}
@@ -40,9 +40,7 @@ class CornerNormals {
   }
 
  private:
-  const Vec3& face_normal(Index half_edge) const {
-    return grid_.plane_of(mesh_.hit[half_edge / 3]).normal;
-  }
+  const Vec3& face_normal(Index half_edge) const { return face_normals_[half_edge / 3]; }
 
   // The half-edges that start in one vertex; each runs along the link to the next one's triangle.
   // On the boundary they are a chain from one side to the other.
@@ -91,8 +89,8 @@ class CornerNormals {
     }
   }
 
-  const GridData& grid_;
   const DualMesh& mesh_;
+  std::span<const Vec3> face_normals_;
   double limit_;
   std::vector<Vec3> normals_;
   Marks done_;  // per half-edge
@@ -117,8 +115,16 @@ double cosine_of_degrees(double degrees) {
   return sum;
 }
 
+std::vector<Vec3> corner_normals(const DualMesh& mesh, std::span<const Vec3> face_normals,
+                                 double crease_cosine) {
+  return CornerNormals(mesh, face_normals, crease_cosine).run();
+}
+
 std::vector<Vec3> corner_normals(const GridData& grid, const DualMesh& mesh, double crease_cosine) {
-  return CornerNormals(grid, mesh, crease_cosine).run();
+  std::vector<Vec3> face_normals;
+  face_normals.reserve(mesh.triangles());
+  for (const HitId hit : mesh.hit) face_normals.push_back(grid.plane_of(hit).normal);
+  return corner_normals(mesh, face_normals, crease_cosine);
 }
 
 }  // namespace kdm

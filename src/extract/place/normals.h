@@ -2,6 +2,9 @@
 // Computes normals at the corners of the triangles, for shading.
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "extract/dual/dual_mesh.h"
 
 namespace kdm {
@@ -11,10 +14,15 @@ namespace kdm {
 double cosine_of_degrees(double degrees);
 
 /// Returns for each half-edge the normal at the corner where it starts. The triangles round a
-/// vertex fall into sections between creases, links across which the hits' normals turn by more
-/// than the angle with this cosine; all corners of a section have one normal, the average of the
-/// normals of its hits, weighted by the sine of half the corner's angle. Nothing is averaged over a
-/// boundary. Half-edges of dropped triangles get zeros. Linear.
+/// vertex fall into sections between creases, links across which the normals of the faces turn by
+/// more than the angle with this cosine; all corners of a section have one normal, the average of
+/// the normals of its faces, weighted by the sine of half the corner's angle. Nothing is averaged
+/// over a boundary. Half-edges of dropped triangles get zeros. Linear. `face_normals` has one entry
+/// a triangle.
+std::vector<Vec3> corner_normals(const DualMesh& mesh, std::span<const Vec3> face_normals,
+                                 double crease_cosine);
+
+/// The same with the normals of the hits that the triangles stand for.
 std::vector<Vec3> corner_normals(const GridData& grid, const DualMesh& mesh, double crease_cosine);
 
 }  // namespace kdm

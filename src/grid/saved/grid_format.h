@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The bytes of a saved grid, version 6. Numbers are little-endian; `n` is a variable-length number
+// The bytes of a saved grid, version 7. Numbers are little-endian; `n` is a variable-length number
 // of seven bits a byte (io/bytes.h), `f64` a double, `z` a signed number as n: 0, -1, 1, -2, ...
 // as 0, 1, 2, 3, ...
 //
@@ -10,10 +10,11 @@
 //   lattice  4 f64     origin x, y, z; step
 //            3 f64     tolerance; winding threshold, 0: none; tolerance asked for, in model
 //                      units
-//   reports  15 n      of the input: vertices, triangles, boundary edges, non-manifold edges,
+//   reports  16 n      of the input: vertices, triangles, boundary edges, non-manifold edges,
 //                      boundary loops, degenerate, cancelled and duplicate faces, sewn edges,
-//                      turned faces and parts, components, patched holes, lost and stray parts
-//            2 n       of the grid: unresolved leaves, guessed faces
+//                      turned faces and parts, components, patched holes, lost, stray and thickened
+//                      parts
+//            4 n       of the grid: unresolved leaves, guessed faces, exact and thin parts
 //            u8        1: input closed, 2: input flipped, 4: topology resolved, 8: a sheet's grid,
 //                      16: the input's nesting is known, 32: of several operands
 //            5 f64     of the input: area of patches and of lost parts, of the largest lost one,
@@ -44,6 +45,11 @@
 //            an operand: n and f64  its report, as reports.h lists the values: counts and flags as
 //                      n, measures as f64
 //            a plane: n  the number of its operand; of none, the number of operands
+//   exact    n         how many vertices exact parts have
+//            a vertex: 3 f32  its position, in model units
+//            n         their number of triangles
+//            a triangle: 3 n, z  vertices; source face less that of the triangle before; of
+//                      several operands also n, the number of its operand, as for a plane
 //
 // What follows from this is not stored: boxes, active sides, whether hits are reversed, a solid's
 // links of two hits, links across strips, and where half-edges start.
@@ -57,7 +63,7 @@
 namespace kdm::grid_format {
 
 inline constexpr std::string_view kMagic = "\x89kdgrid\n";
-inline constexpr std::uint32_t kVersion = 6;
+inline constexpr std::uint32_t kVersion = 7;
 inline constexpr std::size_t kHeaderBytes = 8 + 4 + 8 + 8;
 
 /// Planes are numbered by 30 bits, cells and half-edges by 31 and 32.

@@ -12,6 +12,7 @@
 #include "grid/count_stats.h"
 #include "grid/saved/grid_format.h"
 #include "grid/saved/link_reader.h"
+#include "grid/saved/read_exact.h"
 #include "grid/saved/read_numbers.h"
 #include "grid/splitting_edges.h"
 #include "grid/validate.h"
@@ -47,6 +48,8 @@ class GridReader {
     grid_.source_faces.shrink_to_fit();
     mark_active_sides(grid_);
     read_links();
+    read_exact(bytes_, static_cast<Index>(grid_.operands.size()), grid_.exact);
+    if (bytes_.bytes_left() > 0) bytes_.fail("the grid ends here, but not the file");
     count_stats(grid_);
   }
 
@@ -71,12 +74,26 @@ class GridReader {
 
   void read_reports() {
     InputReport& input = grid_.input;
-    for (Index* count :
-         {&input.vertices, &input.triangles, &input.boundary_edges, &input.non_manifold_edges,
-          &input.boundary_loops, &input.degenerate_faces, &input.cancelled_faces,
-          &input.duplicate_faces, &input.sewn_edges, &input.turned_faces, &input.turned_parts,
-          &input.components, &input.patched_holes, &input.lost_parts, &input.stray_parts,
-          &grid_.stats.unresolved_leaves, &grid_.stats.guessed_faces}) {
+    for (Index* count : {&input.vertices,
+                         &input.triangles,
+                         &input.boundary_edges,
+                         &input.non_manifold_edges,
+                         &input.boundary_loops,
+                         &input.degenerate_faces,
+                         &input.cancelled_faces,
+                         &input.duplicate_faces,
+                         &input.sewn_edges,
+                         &input.turned_faces,
+                         &input.turned_parts,
+                         &input.components,
+                         &input.patched_holes,
+                         &input.lost_parts,
+                         &input.stray_parts,
+                         &input.thickened_parts,
+                         &grid_.stats.unresolved_leaves,
+                         &grid_.stats.guessed_faces,
+                         &grid_.stats.exact_parts,
+                         &grid_.stats.thin_parts}) {
       *count = take_index(kAnyIndex, "a count of the report");
     }
     bytes_.require(1, 1, "flags");
@@ -225,7 +242,6 @@ class GridReader {
     links.read_rims();
     links.read_corners();
     if (several_operands_) read_operands();
-    if (bytes_.bytes_left() > 0) bytes_.fail("the grid ends here, but not the file");
   }
 
   void read_operands() {
@@ -239,8 +255,7 @@ class GridReader {
     }
     bytes_.require(grid_.planes.size(), 1, "plane's operand");
     for (std::size_t i = 0; i < grid_.planes.size(); ++i) {
-      const Index operand = take_index(operands, "a plane's operand");
-      grid_.source_operands.push_back(operand == operands ? kNone : operand);
+      grid_.source_operands.push_back(take_operand(bytes_, operands));
     }
   }
   void take_value(Index& count) { count = take_index(kAnyIndex, "a count of the report"); }

@@ -37,6 +37,7 @@ class GridWriter {
     write_rims();
     write_corners();
     write_operands();
+    write_exact();
     return std::move(out_);
   }
 
@@ -51,12 +52,26 @@ class GridWriter {
 
   void write_reports() {
     const InputReport& input = grid_.input;
-    for (const Index count :
-         {input.vertices, input.triangles, input.boundary_edges, input.non_manifold_edges,
-          input.boundary_loops, input.degenerate_faces, input.cancelled_faces,
-          input.duplicate_faces, input.sewn_edges, input.turned_faces, input.turned_parts,
-          input.components, input.patched_holes, input.lost_parts, input.stray_parts,
-          grid_.stats.unresolved_leaves, grid_.stats.guessed_faces}) {
+    for (const Index count : {input.vertices,
+                              input.triangles,
+                              input.boundary_edges,
+                              input.non_manifold_edges,
+                              input.boundary_loops,
+                              input.degenerate_faces,
+                              input.cancelled_faces,
+                              input.duplicate_faces,
+                              input.sewn_edges,
+                              input.turned_faces,
+                              input.turned_parts,
+                              input.components,
+                              input.patched_holes,
+                              input.lost_parts,
+                              input.stray_parts,
+                              input.thickened_parts,
+                              grid_.stats.unresolved_leaves,
+                              grid_.stats.guessed_faces,
+                              grid_.stats.exact_parts,
+                              grid_.stats.thin_parts}) {
       append_varint(out_, count);
     }
     append_u8(
@@ -196,13 +211,30 @@ class GridWriter {
     for (const InputReport& operand : grid_.operands) {
       for_each_field(operand, [&](const ReportField&, const auto& value) { write_value(value); });
     }
-    for (const Index operand : grid_.source_operands) {
-      append_varint(out_, operand == kNone ? grid_.operands.size() : operand);
-    }
+    for (const Index operand : grid_.source_operands) write_operand(operand);
+  }
+  void write_operand(Index operand) {
+    append_varint(out_, operand == kNone ? grid_.operands.size() : operand);
   }
   void write_value(Index count) { append_varint(out_, count); }
   void write_value(bool flag) { append_varint(out_, flag ? 1 : 0); }
   void write_value(double measure) { append_f64(out_, measure); }
+
+  void write_exact() {
+    append_varint(out_, grid_.exact.positions.size());
+    for (const Vec3& p : grid_.exact.positions) {
+      for (int axis = 0; axis < 3; ++axis) append_f32(out_, static_cast<float>(p[axis]));
+    }
+    append_varint(out_, grid_.exact.triangles.size());
+    std::int64_t source_before = 0;
+    for (std::size_t t = 0; t < grid_.exact.triangles.size(); ++t) {
+      for (const Index v : grid_.exact.triangles[t]) append_varint(out_, v);
+      const std::int64_t source = grid_.exact.source_faces[t];
+      append_varint(out_, format::from_signed(source - source_before));
+      source_before = source;
+      if (!grid_.operands.empty()) write_operand(grid_.exact.source_operands[t]);
+    }
+  }
 
   // Writes what is kept for some half-edges, in ascending order of these: the half-edge of each
   // one, then the rest by `write`.

@@ -33,6 +33,13 @@ enum class InsideRule {
           ///< (paper 2.3.2); the result is a manifold with boundary
 };
 
+/// Which parts of a surface are given a thickness.
+enum class ThickenWhat {
+  kAll,    ///< all, whatever they bound
+  kSheets  ///< those that bound nothing, also fins and ribs on solids, which stay as they are; of
+           ///< `kRepair`
+};
+
 /// How hits are linked where a minimal face (the overlap of two leaves' sides) has more than two on
 /// its outline.
 enum class Pairing {
@@ -67,10 +74,12 @@ struct BuildOptions {
   /// is the diagonal of the hole's bounding box, in model units. Not negative; 0 closes all holes.
   double largest_hole = 0;
   Pairing pairing = Pairing::kTrace;
-  /// Takes the input for a surface that bounds nothing and builds the shell of this thickness
-  /// around it (see `thicken`), in model units. Not negative, and not below four lattice steps,
-  /// about a millionth of the model's extent; 0 builds the input itself.
+  /// Builds the shell of this thickness around the surface (see `thicken`), in model units. Not
+  /// negative, and not below four lattice steps, about a millionth of the model's extent; 0 builds
+  /// the input itself.
   double thicken = 0;
+  /// Which parts of the surface get that thickness.
+  ThickenWhat thicken_what = ThickenWhat::kAll;
 };
 
 /// Builds the grid of a mesh after joining vertices of exactly equal position. What the mesh must

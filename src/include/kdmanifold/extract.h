@@ -19,7 +19,8 @@ enum class Strict {
               ///< edge, parts without volume are dropped
   kEmbedded   ///< the same, and no two triangles cross or touch but where they share vertices, and
               ///< none is without area. Holds for the coordinates rounded to 32 bits, which the
-              ///< result has. Not with `quads`
+              ///< result has, so vertices may be told by their positions alone, as in STL
+              ///< files. Not with `quads`, which come out as by `kManifold`
 };
 
 /// Where a vertex goes if the best place for it lies outside of its leaf. The best place is where
@@ -59,7 +60,7 @@ struct ExtractOptions {
   /// 0 stands for the grid's tolerance. Not with `quads`.
   double link_error = 0;
   /// What the result must be as an index mesh.
-  Strict strict = Strict::kManifold;
+  Strict strict = Strict::kEmbedded;
   /// Which parts of the result are kept. Sheets keep all.
   Parts parts = Parts::kAll;
   /// Gives every corner of the faces a normal for shading, from the input's normals at the hits.
@@ -79,9 +80,9 @@ struct ExtractReport {
   Index link_vertices = 0;      ///< vertices added between leaves and at hits
   Index flipped_edges = 0;      ///< edges flipped, of triangles that were folded over or thin
   Index refined_hits = 0;       ///< `kEmbedded`: hits that got vertices so that nothing crosses
-  /// With `kEmbedded` the number of pairs of triangles that still cross or touch: 0, unless parts
-  /// are nearer to each other than 32 bits tell apart, or sheets cross. Otherwise empty, because
-  /// crossing pairs are not searched for.
+  /// With `kEmbedded` the number of pairs of triangles that still cross or touch, and of triangles
+  /// without area: 0, unless parts are nearer to each other than 32 bits tell apart, or sheets
+  /// cross. Otherwise empty, because crossing pairs are not searched for.
   std::optional<std::uint64_t> crossings;
   Index dropped_parts = 0;   ///< parts left out because of the option `parts`
   Index dropped_crumbs = 0;  ///< parts thinner than the tolerance, beside closed holes, left out

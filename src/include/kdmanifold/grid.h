@@ -48,6 +48,7 @@ struct InputReport {
   Index lost_parts = 0;
   double lost_area = 0;
   double largest_lost = 0;
+  Index thickened_parts = 0;  ///< `kRepair`: parts that bound nothing and were given a thickness
   /// `kRepair`: the distance up to which boundary edges were joined, in model units: the tolerance,
   /// or more where most of them lie further from their partners; 0 if none was joined.
   double sewing_distance = 0;
@@ -86,6 +87,11 @@ struct GridStats {
   /// Centres of these leaves, in model units: of all, or, of more than 1,000, of every second,
   /// fourth and so on. Saved grids do not keep them.
   std::vector<Vec3> unresolved_positions;
+  /// `kAdaptive`, `kOctree`, `kFeature`: parts about as thin as the tolerance that meet no others.
+  /// They are taken over just as they are in the input, and their triangles.
+  Index exact_parts = 0;
+  Index exact_triangles = 0;
+  Index thin_parts = 0;       ///< further thin parts, whose thickness may differ in the result
   Index ambiguous_faces = 0;  ///< minimal faces with more than two hits
   Index invented_hits = 0;    ///< hits of no input face, where holes were closed
   Index guessed_faces = 0;    ///< ambiguous faces that a trace of the input could not decide

@@ -64,6 +64,12 @@ inline constexpr std::array kPairingWords = {
     Word{"outside", Pairing::kOutside,
          "the two hits at the ends of an outside stretch of the outline (paper 2.1)"}};
 
+inline constexpr std::array kThickenWords = {
+    Word{"all", ThickenWhat::kAll, "all of it, whatever it bounds"},
+    Word{"sheets", ThickenWhat::kSheets,
+         "parts that bound nothing, also fins and ribs on solids, which stay as they are; of "
+         "`repair`"}};
+
 inline constexpr std::array kPositionWords = {
     Word{"constrained", VertexPosition::kConstrained, "to the best place within the cell"},
     Word{"projection", VertexPosition::kProjection,
@@ -84,7 +90,8 @@ inline constexpr std::array kStrictWords = {
          "without volume are dropped"},
     Word{"embedded", Strict::kEmbedded,
          "the same, and no two triangles cross or touch but where they share vertices, none is "
-         "without area; holds for the 32-bit coordinates. Not with `quads`"}};
+         "without area; holds for the 32-bit coordinates, so vertices may be told by their "
+         "positions alone, as in STL files. With `quads` as `manifold`"}};
 
 inline constexpr std::array kFormatWords = {
     Word{"obj", MeshFormat::kObj, "Wavefront OBJ"}, Word{"stl", MeshFormat::kStl, "STL"},
@@ -99,6 +106,8 @@ constexpr std::span<const Word<Choice>> words_of() {
     return kInsideWords;
   else if constexpr (std::is_same_v<Choice, Pairing>)
     return kPairingWords;
+  else if constexpr (std::is_same_v<Choice, ThickenWhat>)
+    return kThickenWords;
   else if constexpr (std::is_same_v<Choice, VertexPosition>)
     return kPositionWords;
   else if constexpr (std::is_same_v<Choice, Parts>)
@@ -202,9 +211,12 @@ void for_each_field(Options& options, Visit&& visit) {
                     .letter = "T",
                     .help = "build a shell of this thickness around the surface, which may be open",
                     .zero = "the input itself is built",
-                    .details = "The report's `input` is that of the shell.",
+                    .details = "The report's `input` is that of the shell, unless only sheets get "
+                               "one.",
                     .unit = Unit::kModelUnits},
         options.thicken);
+  visit(OptionField{.name = "thicken_what", .help = "`thicken`: what gets a thickness"},
+        options.thicken_what);
 }
 
 /// See `for_each_field` of `BuildOptions`.

@@ -77,6 +77,9 @@ void for_each_field(Report& report, Visit&& visit) {
         report.lost_area);
   visit(ReportField{"largest_lost", "`repair`: area of the largest of them", Unit::kModelArea},
         report.largest_lost);
+  visit(ReportField{"thickened_parts",
+                    "`repair`: parts that bound nothing and were given a thickness"},
+        report.thickened_parts);
   visit(ReportField{"sewing_distance",
                     "`repair`: distance up to which boundary edges were joined: the tolerance, or "
                     "more where most of them lie further from their partners; 0 if none was joined",
@@ -134,6 +137,13 @@ void for_each_field(const GridStats& stats, Visit&& visit) {
                     "1,000, of every second, fourth and so on. Saved grids do not keep them",
                     Unit::kModelUnits},
         stats.unresolved_positions);
+  visit(ReportField{"exact_parts",
+                    "`adaptive`, `octree`, `feature`: parts about as thin as the tolerance that "
+                    "meet no others; they are taken over just as they are in the input"},
+        stats.exact_parts);
+  visit(ReportField{"exact_triangles", "Triangles of these parts"}, stats.exact_triangles);
+  visit(ReportField{"thin_parts", "Further thin parts, whose thickness may differ in the result"},
+        stats.thin_parts);
   visit(ReportField{"ambiguous_faces", "Faces between leaves with more than two hits"},
         stats.ambiguous_faces);
   visit(ReportField{"guessed_faces", "Ambiguous faces that a trace of the input could not decide"},
@@ -169,7 +179,8 @@ void for_each_field(const ExtractReport& report, Visit&& visit) {
                     Unit::kModelArea},
         report.invented_area);
   visit(ReportField{"crossings",
-                    "`embedded`: pairs of triangles that still cross or touch; 0 unless parts of "
+                    "`embedded`: pairs of triangles that still cross or touch, and triangles "
+                    "without area; 0 unless parts of "
                     "the surface nearer to each other than 32 bits tell apart are in each other's "
                     "way, or sheets cross. Otherwise null: nobody has looked"},
         report.crossings);

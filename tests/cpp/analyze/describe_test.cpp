@@ -127,7 +127,7 @@ TEST(Describe, EmptyMeshIsNotClosed) {
   EXPECT_FALSE(report.two_manifold);
   EXPECT_GT(report.bounds.min.x(), report.bounds.max.x());
   EXPECT_EQ(report.euler_characteristic, 0);
-  EXPECT_FALSE(is_two_manifold({}));
+  EXPECT_FALSE(is_two_manifold(Mesh{}));
   Mesh points;
   points.positions = {{1, 2, 3}};
   EXPECT_EQ(describe(points).unreferenced_vertices, 1u);

@@ -15,7 +15,8 @@ namespace kdm {
 namespace {
 
 // With quads no vertices are split or added to links, and no edges flipped.
-constexpr ExtractOptions kPlain{.split_error = 1e9, .unfold = false, .link_error = 1e9};
+constexpr ExtractOptions kPlain{
+    .split_error = 1e9, .unfold = false, .link_error = 1e9, .strict = Strict::kManifold};
 
 const BuildOptions kUniform{.strategy = SplitStrategy::kUniform, .depth = 12};
 
@@ -63,7 +64,7 @@ TEST(Quads, AreTheSameSurface) {
                              shapes::random_voxels(3, 0.5, 2), shapes::random_tetrahedra(5, 4)}) {
       const Grid grid = build_grid(mesh, {.strategy = strategy, .depth = 11});
       const ExtractedMesh plain = extract(grid, kPlain);
-      const ExtractedMesh quads = extract(grid, {.quads = true});
+      const ExtractedMesh quads = extract(grid, {.quads = true, .strict = Strict::kManifold});
       EXPECT_EQ(plain.positions, quads.positions);
       EXPECT_EQ(plain.triangles.size(), quads.triangles.size() + 2 * quads.quads.size());
       EXPECT_EQ(plain.source_faces.size(), plain.triangles.size());

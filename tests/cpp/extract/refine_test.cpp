@@ -184,7 +184,7 @@ TEST(Refine, EdgesStayWithinTheTolerance) {
         shapes::rotated(shapes::plate_with_holes(3, 3), Vec3(turn, 2, 3), 0.3 + 0.2 * turn);
     const Grid grid = build_grid(mesh, {.strategy = SplitStrategy::kFeature});
     const double tolerance = grid.stats().tolerance;
-    const ExtractedMesh plain = extract(grid, {.link_error = 1e9});
+    const ExtractedMesh plain = extract(grid, {.link_error = 1e9, .strict = Strict::kManifold});
     EXPECT_EQ(plain.report.link_vertices, 0u);
     before = std::max(before, furthest_edge_point(plain, mesh) / tolerance);
     const ExtractedMesh out = extract(grid);

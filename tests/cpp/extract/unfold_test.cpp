@@ -110,7 +110,7 @@ TEST(Unfold, ThreeInARowAlongACrease) {
 }
 
 std::uint64_t crossings(const Grid& grid, bool unfolded) {
-  const ExtractedMesh out = extract(grid, {.unfold = unfolded});
+  const ExtractedMesh out = extract(grid, {.unfold = unfolded, .strict = Strict::kManifold});
   EXPECT_TRUE(check::is_two_manifold(out));
   EXPECT_TRUE(unfolded || out.report.flipped_edges == 0);
   return find_self_intersections(out).pairs;
@@ -153,8 +153,8 @@ TEST(Unfold, TopologyAndVerticesStay) {
   for (std::uint32_t seed = 0; seed < 20; ++seed) {
     const Grid grid = build_grid(shapes::random_voxels(4, 0.5, seed),
                                  {.strategy = SplitStrategy::kMedian, .depth = 12});
-    const ExtractedMesh plain = extract(grid, {.unfold = false});
-    const ExtractedMesh flat = extract(grid);
+    const ExtractedMesh plain = extract(grid, {.unfold = false, .strict = Strict::kManifold});
+    const ExtractedMesh flat = extract(grid, {.strict = Strict::kManifold});
     ASSERT_EQ(plain.positions.size(), flat.positions.size());
     for (std::size_t v = 0; v < plain.positions.size(); ++v) {
       // What has no area without flips is given some.

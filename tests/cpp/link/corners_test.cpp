@@ -81,7 +81,7 @@ TEST(Corners, OfTurnedCubesAreMet) {
       SCOPED_TRACE(i);
       const Mesh cube = turned(shapes::cube(), random);
       const Grid grid = build_grid(cube, options);
-      const Mesh out = extract(grid);
+      const Mesh out = extract(grid, {.strict = Strict::kManifold});
       EXPECT_LE(gap(cube.positions, out.positions), kGap * cell_size(grid, cells));
       EXPECT_TRUE(check::is_two_manifold(out));
       for (const Vec3& p : cube.positions) {

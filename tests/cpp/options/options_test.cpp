@@ -99,6 +99,9 @@ void expect_ranges_checked(Options options = {}) {
   for_each_field(options, [&](const OptionField& field, auto& member) {
     using Value = std::decay_t<decltype(member)>;
     const Value standard = member;
+    if constexpr (std::is_same_v<Options, BuildOptions>) {
+      if constexpr (std::is_same_v<Value, ThickenWhat>) options.thicken = 1;  // or it has no effect
+    }
     if constexpr (std::is_enum_v<Value>) {
       for (const Word<Value>& word : words_of<Value>()) {
         member = word.value;
@@ -192,14 +195,24 @@ TEST(Options, WhatHasNoEffectIsRefusedByName) {
             "`largest_hole`: not together with `thicken`, which leaves no holes");
   EXPECT_EQ(refusal(BuildOptions{.inside = InsideRule::kSheet, .pairing = Pairing::kOutside}),
             "`pairing`: only trace or hermite with `inside` sheet");
-  EXPECT_EQ(refusal(ExtractOptions{.quads = true, .strict = Strict::kEmbedded}),
-            "`quads`: not together with `strict` embedded");
+  EXPECT_EQ(refusal(BuildOptions{.thicken_what = ThickenWhat::kSheets}),
+            "`thicken_what`: only with `thicken`");
+  EXPECT_EQ(refusal(BuildOptions{
+                .inside = InsideRule::kOdd, .thicken = 0.1, .thicken_what = ThickenWhat::kSheets}),
+            "`thicken_what`: sheets only with `inside` repair");
+  EXPECT_EQ(refusal(BuildOptions{
+                .winding_threshold = 0.5, .thicken = 0.1, .thicken_what = ThickenWhat::kSheets}),
+            "`thicken_what`: not sheets together with `winding_threshold`");
   EXPECT_EQ(refusal(ExtractOptions{.quads = true, .link_error = 1}),
             "`link_error`: not together with `quads`");
   EXPECT_EQ(refusal(ExtractOptions{.crease_angle = 20}), "`crease_angle`: only with `normals`");
   // Defaults do no harm.
   EXPECT_EQ(refusal(BuildOptions{.tolerance = 0.1, .relative_tolerance = 0.001}), "");
+  EXPECT_EQ(refusal(ExtractOptions{.quads = true}), "");
   EXPECT_EQ(refusal(ExtractOptions{.quads = true, .strict = Strict::kManifold}), "");
+  EXPECT_EQ(refusal(BuildOptions{
+                .largest_hole = 0.1, .thicken = 0.1, .thicken_what = ThickenWhat::kSheets}),
+            "");
   EXPECT_EQ(refusal(ExtractOptions{.normals = true, .crease_angle = 20}), "");
   const Grid sheet = build_grid(shapes::open(shapes::cube()), {.inside = InsideRule::kSheet});
   EXPECT_THROW(extract(sheet, {.parts = Parts::kLargest}), Error);

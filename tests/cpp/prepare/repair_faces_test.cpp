@@ -155,6 +155,52 @@ TEST(RepairFaces, SmallSheetsAreLeftOutAndReported) {
   EXPECT_NEAR(result.input.extent, std::sqrt(3), 1e-9);  // of what is left
 }
 
+TEST(RepairFaces, SheetsGetAThicknessAndSolidsStay) {
+  const auto thickened = [](const Mesh& mesh) {
+    return converted(mesh,
+                     {.tolerance = 0.002, .thicken = 0.02, .thicken_what = ThickenWhat::kSheets});
+  };
+  // A sheet beside a cube, a fin across its side, and a rib in an open box.
+  Mesh fin;
+  fin.positions = {{1, 0.2, 0.5}, {2, 0.2, 0.5}, {2, 0.8, 0.5}, {1, 0.8, 0.5}};
+  fin.triangles = {{0, 1, 2}, {0, 2, 3}};
+  Result result =
+      thickened(shapes::merged({shapes::cube(), shapes::translated(fin, Vec3(1, 0, 0))}));
+  EXPECT_EQ(result.input.thickened_parts, 1u);
+  EXPECT_EQ(result.input.lost_parts, 0u);
+  EXPECT_EQ(result.check.components, 2);
+  EXPECT_NEAR(result.check.volume, 1 + 0.6 * 0.02, 1e-3);
+  result = thickened(shapes::merged({shapes::cube(), shapes::translated(fin, Vec3(-0.1, 0, 0))}));
+  EXPECT_EQ(result.input.thickened_parts, 1u);
+  EXPECT_EQ(result.check.components, 1) << "it is rooted in the cube";
+  EXPECT_NEAR(result.check.volume, 1 + 0.54 * 0.02, 1e-3);
+  Mesh open = shapes::open(shapes::cube(), 2);
+  result = thickened(shapes::merged({open, shapes::translated(fin, Vec3(2, 0, 0))}));
+  EXPECT_EQ(result.input.thickened_parts, 1u);
+  EXPECT_NEAR(result.check.volume, 1 + 0.6 * 0.02, 1e-3) << "the open cube is closed by a patch";
+  // Nothing but sheets, and nothing but solids.
+  result = thickened(fin);
+  EXPECT_EQ(result.input.thickened_parts, 1u);
+  EXPECT_NEAR(result.check.volume, 0.6 * 0.02, 1e-3);
+  result = thickened(shapes::cube());
+  EXPECT_EQ(result.input.thickened_parts, 0u);
+  EXPECT_NEAR(result.check.volume, 1, 1e-6);
+}
+
+TEST(RepairFaces, AFinThatSharesAnEdgeIsRooted) {
+  // The cube's top has a vertex row in the middle, from which a fin stands up.
+  Mesh cube = shapes::voxels(2, 1, 1, [](int, int, int) { return true; });
+  Mesh fin;
+  fin.positions = {{1, 0, 1}, {1, 1, 1}, {1, 1, 1.6}, {1, 0, 1.6}};
+  fin.triangles = {{0, 1, 2}, {0, 2, 3}};
+  const Result result =
+      converted(shapes::merged({cube, fin}),
+                {.tolerance = 0.002, .thicken = 0.02, .thicken_what = ThickenWhat::kSheets});
+  EXPECT_EQ(result.input.thickened_parts, 1u);
+  EXPECT_EQ(result.check.components, 1);
+  EXPECT_NEAR(result.check.volume, 2 + 0.6 * 0.02, 2e-3);
+}
+
 // Walls that are not joined to each other are all that the model has.
 TEST(RepairFaces, ABoxOfSixSheetsIsABox) {
   std::vector<Mesh> walls;

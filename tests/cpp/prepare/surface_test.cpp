@@ -264,15 +264,16 @@ TEST(Surface, IgnoresPointsThatNoFaceUses) {
 
 // --- Size and place ------------------------------------------------------------------------------
 
-// The result of a moved and scaled input is that of the input, moved and scaled.
+// The result of a moved and scaled input is that of the input, moved and scaled. (An embedded one
+// is not: what 32 bits tell apart depends on the place.)
 void expect_similar(double factor, const Vec3& offset, double tolerance) {
   SCOPED_TRACE(testing::Message() << factor << " (" << offset.transpose() << ")");
   const Mesh torus = shapes::torus(1, 0.4, 16, 8);
-  const ExtractedMesh plain = extract(build_grid(torus, kCoarse));
+  const ExtractedMesh plain = extract(build_grid(torus, kCoarse), {.strict = Strict::kManifold});
   const Mesh moved = shapes::translated(shapes::scaled(torus, Vec3::Constant(factor)), offset);
   const Grid grid = build_grid(moved, kCoarse);
   ASSERT_NO_THROW(validate(grid.data()));
-  const ExtractedMesh out = extract(grid);
+  const ExtractedMesh out = extract(grid, {.strict = Strict::kManifold});
   ASSERT_TRUE(check::is_two_manifold(out));
   ASSERT_EQ(out.triangles, plain.triangles);
   for (std::size_t v = 0; v < out.positions.size(); ++v) {

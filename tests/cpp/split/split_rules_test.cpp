@@ -307,7 +307,8 @@ TEST(SplitRules, AdaptiveKeepsPartsSmallerThanTheTolerance) {
 }
 
 TEST(SplitRules, WhatIsGivenUpIsReported) {
-  const Grid grid = build_grid(tilted(shapes::thin_walled_box(0.01)), {.depth = 6});
+  const Grid grid =
+      build_grid(tilted(shapes::thin_walled_box(0.01)), {.relative_tolerance = 1e-4, .depth = 6});
   EXPECT_FALSE(grid.stats().topology_resolved);
   EXPECT_GT(grid.stats().unresolved_leaves, 0u);
   EXPECT_EQ(grid.stats().unresolved_positions.size(), grid.stats().unresolved_leaves);

@@ -35,6 +35,11 @@ inline void expect_same(const Grid& a, const Grid& b) {
     EXPECT_EQ(x.planes[p].offset, y.planes[p].offset);
   }
   EXPECT_EQ(x.source_faces, y.source_faces);
+  EXPECT_EQ(x.source_operands, y.source_operands);
+  EXPECT_EQ(x.exact.positions, y.exact.positions);
+  EXPECT_EQ(x.exact.triangles, y.exact.triangles);
+  EXPECT_EQ(x.exact.source_faces, y.exact.source_faces);
+  EXPECT_EQ(x.exact.source_operands, y.exact.source_operands);
   EXPECT_EQ(x.sheet, y.sheet);
   ASSERT_EQ(x.rims.size(), y.rims.size());
   for (std::size_t r = 0; r < x.rims.size(); ++r) {

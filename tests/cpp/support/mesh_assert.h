@@ -5,13 +5,16 @@
 
 #include <gtest/gtest.h>
 
+#include <concepts>
+
 #include "support/mesh_check.h"
 
 namespace kdm::check {
 
 /// Use as EXPECT_TRUE(is_two_manifold(mesh)): the mesh must be closed, oriented and strictly
 /// 2-manifold as an index mesh.
-inline ::testing::AssertionResult is_two_manifold(const Mesh& mesh) {
+template <std::derived_from<Mesh> Checked>
+::testing::AssertionResult is_two_manifold(const Checked& mesh) {
   const MeshCheck result = check_mesh(mesh);
   if (result.two_manifold) return ::testing::AssertionSuccess();
   return ::testing::AssertionFailure()
@@ -20,7 +23,8 @@ inline ::testing::AssertionResult is_two_manifold(const Mesh& mesh) {
 
 /// Use as EXPECT_TRUE(is_manifold(mesh)): the mesh may have a boundary besides. An edge has one or
 /// two faces, and the faces at a vertex form one ring or one fan.
-inline ::testing::AssertionResult is_manifold(const Mesh& mesh) {
+template <std::derived_from<Mesh> Checked>
+::testing::AssertionResult is_manifold(const Checked& mesh) {
   const MeshCheck result = check_mesh(mesh);
   if (result.manifold) return ::testing::AssertionSuccess();
   return ::testing::AssertionFailure()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/mesh_check.h"
 
+#include <array>
 #include <cmath>
 #include <map>
 #include <set>
@@ -171,6 +172,38 @@ MeshCheck check_mesh(const Mesh& mesh) {
   return result;
 }
 
+MeshCheck check_mesh(const ExtractedMesh& mesh) {
+  MeshCheck result = check_mesh(static_cast<const Mesh&>(mesh));
+  if (!result.two_manifold || mesh.report.crossings != std::uint64_t{0}) return result;
+  const MeshCheck welded = check_mesh(welded_in_single(mesh));
+  if (welded.two_manifold) return result;
+  result.falls_together = true;
+  result.two_manifold = result.manifold = false;
+  return result;
+}
+
+Mesh welded_in_single(const Mesh& mesh) {
+  Mesh welded = mesh;
+  std::map<std::array<float, 3>, Index> number;
+  std::vector<Index> vertex;
+  welded.positions.clear();
+  for (const Vec3& p : mesh.positions) {
+    const Eigen::Vector3f single = p.cast<float>();
+    // Adding zero makes 0 of -0.
+    const std::array<float, 3> key{single[0] + 0.0f, single[1] + 0.0f, single[2] + 0.0f};
+    const auto [at, added] = number.emplace(key, static_cast<Index>(welded.positions.size()));
+    if (added) welded.positions.push_back(single.cast<double>());
+    vertex.push_back(at->second);
+  }
+  for (Triangle& t : welded.triangles) {
+    for (Index& v : t) v = vertex[v];
+  }
+  for (Quad& q : welded.quads) {
+    for (Index& v : q) v = vertex[v];
+  }
+  return welded;
+}
+
 std::string MeshCheck::faults() const {
   std::ostringstream text;
   const auto add = [&text](int count, const char* what) {
@@ -184,6 +217,7 @@ std::string MeshCheck::faults() const {
   add(duplicate_faces, "duplicate faces");
   add(bad_indices, "corners without a vertex");
   add(bad_positions, "vertices that are not finite");
+  if (falls_together) text << "not 2-manifold once welded by position";
   return text.str();
 }
 

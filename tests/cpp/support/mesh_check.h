@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <string>
 
-#include "kdmanifold/mesh.h"
+#include "kdmanifold/extract.h"
 
 namespace kdm::check {
 
@@ -22,6 +22,7 @@ struct MeshCheck {
   int duplicate_faces = 0;        ///< faces over the vertices of an earlier face
   int bad_indices = 0;            ///< corners that name no vertex; then nothing else is counted
   int bad_positions = 0;          ///< referenced vertices with a coordinate that is not finite
+  bool falls_together = false;    ///< of a result: it is another mesh once welded by position
   int components = 0;             ///< parts of faces joined by edges
   std::int64_t euler_characteristic = 0;
   bool closed = false;        ///< there are faces, and no edge has one
@@ -35,5 +36,12 @@ struct MeshCheck {
 };
 
 MeshCheck check_mesh(const Mesh& mesh);
+
+/// The same of a result. If it is said to cross nowhere, it must also be 2-manifold once its
+/// vertices are told by their positions in 32 bits alone, as readers of STL files do.
+MeshCheck check_mesh(const ExtractedMesh& mesh);
+
+/// Returns the mesh with coordinates rounded to 32 bits and one vertex for each position.
+Mesh welded_in_single(const Mesh& mesh);
 
 }  // namespace kdm::check

@@ -43,8 +43,8 @@ const std::vector<Share> kShares = {
     {"voxels", 30, {kFar, kMissing}},
     {"spun", 200, {}},
     // What is thinner than the tolerance.
-    {"thin", 60, {kFar, kMissing}},
-    {"wire", 24, {kFar, kMissing}},
+    {"thin", 60, {kMissing}},
+    {"wire", 24, {}},
 };
 
 class Truth : public testing::TestWithParam<Share> {};

@@ -184,7 +184,16 @@ const wrong = [
     ['a.obj', '--pairing', 'inside', '--inside', 'sheet'],
     '--pairing: only trace or hermite with --inside sheet',
   ],
-  [['a.obj', '--quads', '--strict', 'embedded'], '--quads: not together with --strict embedded'],
+  [['a.obj', '--thicken-what', 'sheets'], '--thicken-what: only with --thicken'],
+  [
+    ['a.obj', '--thicken', '1', '--thickenWhat', 'sheets', '--inside', 'odd'],
+    '--thickenWhat: sheets only with --inside repair',
+  ],
+  [
+    ['a.obj', '--thicken', '1', '--thicken-what', 'sheets', '--winding-threshold', '0.5'],
+    '--thicken-what: not sheets together with --winding-threshold',
+  ],
+  [['a.obj', '--quads', '--strict', 'embedded'], '--strict: not embedded together with --quads'],
   [['a.obj', '--quads', '--linkError', '1'], '--linkError: not together with --quads'],
   [['a.obj', '--crease-angle', '30'], '--crease-angle: only with --normals'],
   [

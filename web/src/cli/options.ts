@@ -279,9 +279,5 @@ export function readCommand(args: string[]): Command {
   if (asked.includes('--version')) return { ...command, answer: 'version' };
   scan(args, command);
   checkCombination(command);
-  const strictGiven = command.typed.has('--strict') || command.typed.has('--no-strict');
-  if (joinsSolids(command) && !strictGiven && !command.extract.quads) {
-    command.extract.strict = 'embedded';
-  }
   return command;
 }

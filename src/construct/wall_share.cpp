@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "construct/wall_share.h"
+
+#include <cmath>
+
+#include "geometry/triangle.h"
+#include "mesh/box_tree.h"
+#include "mesh/boxes.h"
+#include "mesh/marks.h"
+
+namespace kdm {
+namespace {
+
+constexpr Index kProbes = 64;
+constexpr double kReach = 4;  // tolerances
+
+double fraction(double x) { return x - std::floor(x); }
+
+// Returns a point of the triangle; points of successive numbers are spread evenly.
+Vec3 spread_point(Index number, const Vec3& a, const Vec3& b, const Vec3& c) {
+  double u = fraction(0.5 + 0.7548776662466927 * number);
+  double v = fraction(0.5 + 0.5698402909980532 * number);
+  if (u + v > 1) {
+    u = 1 - u;
+    v = 1 - v;
+  }
+  return a + u * (b - a) + v * (c - a);
+}
+
+// A segment that leads inwards from a point of a triangle.
+struct Probe {
+  Index triangle;
+  Vec3 from;
+  Vec3 way;
+};
+
+std::vector<Probe> make_probes(std::span<const Triangle> triangles, const std::vector<Vec3>& points,
+                               double reach) {
+  std::vector<double> area_up_to;  // with each triangle
+  double area = 0;
+  for (const auto& [a, b, c] : triangles) {
+    area += doubled_area_vector(points[a], points[b], points[c]).norm();
+    area_up_to.push_back(area);
+  }
+  std::vector<Probe> probes;
+  Index t = 0;
+  for (Index i = 0; i < kProbes; ++i) {
+    const double place = (i + 0.5) / kProbes * area;
+    while (t + 1 < triangles.size() && area_up_to[t] <= place) ++t;
+    const auto [a, b, c] = triangles[t];
+    const Vec3 out = normalized_or_zero(doubled_area_vector(points[a], points[b], points[c]));
+    probes.push_back({t, spread_point(i, points[a], points[b], points[c]), -reach * out});
+  }
+  return probes;
+}
+
+// Tells whether the probe passes through the triangle (a, b, c).
+bool passes(const Probe& probe, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 u = b - a;
+  const Vec3 v = c - a;
+  const Vec3 w = probe.from - a;
+  const Vec3 normal = u.cross(v);
+  const double along = normal.dot(probe.way);
+  if (along == 0) return false;
+  const Vec3 across = probe.way.cross(w);
+  const double place = -normal.dot(w) / along;
+  const double s = v.dot(across) / along;
+  const double t = -u.dot(across) / along;
+  return place > 0 && place <= 1 && s >= 0 && t >= 0 && s + t <= 1;
+}
+
+}  // namespace
+
+double share_of_walls(std::span<const Triangle> triangles, const std::vector<Vec3>& points,
+                      double tolerance) {
+  const std::vector<Probe> probes = make_probes(triangles, points, kReach * tolerance);
+  std::vector<Box> boxes(probes.size());
+  for (Index i = 0; i < probes.size(); ++i) {
+    grow(boxes[i], probes[i].from);
+    grow(boxes[i], probes[i].from + probes[i].way);
+  }
+  const BoxTree tree(boxes);
+  Marks meets_wall(probes.size());
+  for (Index t = 0; t < triangles.size(); ++t) {
+    const Vec3& a = points[triangles[t][0]];
+    const Vec3& b = points[triangles[t][1]];
+    const Vec3& c = points[triangles[t][2]];
+    tree.for_each_meeting(box_of(a, b, c), [&](Index i) {
+      if (t != probes[i].triangle && passes(probes[i], a, b, c)) meets_wall.set(i);
+    });
+  }
+  return static_cast<double>(meets_wall.count()) / kProbes;
+}
+
+}  // namespace kdm
