@@ -29,14 +29,10 @@
 namespace kdm {
 namespace {
 
-// Where the surface is merely curved, a leaf's vertex lies a little off its planes, and splits
-// would fold it: by default only what looks like a second feature is split.
-constexpr double kFeature = 0.3;
-
 SplitError split_error(const GridData& grid, const ExtractOptions& options) {
   if (options.split_error > 0) return SplitError{options.split_error / grid.lattice.step, 0};
   if (options.quads) return {};
-  return SplitError{grid.tolerance, kFeature};
+  return standard_split_error(grid);
 }
 
 double link_error(const GridData& grid, const ExtractOptions& options) {
@@ -73,7 +69,7 @@ DualMesh surface_of(const GridData& grid, const ExtractOptions& options, const P
   const std::vector<Vec3> points = hit_points(grid, boxes, options.strict == Strict::kEmbedded);
   const GridView view{grid, boxes, points};
   const std::vector<LoopId> missed = place_vertices(view, settings, mesh);
-  move_off_slivers(view, mesh);
+  if (grid.simplified == 0) move_off_slivers(view, mesh);
   report_progress(progress, 0.7, "faces");
   if (options.strict == Strict::kEmbedded) {
     Embedding embedding =

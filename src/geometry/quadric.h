@@ -25,6 +25,15 @@ class PrimalQuadric {
     c_ += offset * offset;
   }
 
+  /// Adds the planes of another one.
+  void add(const PrimalQuadric& other) {
+    const Vec3 shift = centre_ - other.centre_;
+    const Vec3 turned = other.a_ * shift;
+    a_ += other.a_;
+    b_ += other.b_ - turned;
+    c_ += other.c_ - 2 * other.b_.dot(shift) + shift.dot(turned);
+  }
+
   /// Returns E(x).
   double error(const Vec3& x) const {
     const Vec3 y = x - centre_;

@@ -123,6 +123,9 @@ struct RimHit {
 struct KeptCorner {
   HalfEdgeId half_edge;  ///< of the loop's half-edges, the one with the lowest number
   Vec3 point;            ///< lattice coordinates
+  /// `simplify` has joined loops here, and has tested the straight edges of the vertex: none of
+  /// them gets another vertex or is flipped.
+  bool joined = false;
 };
 
 /// Returns the number of splitting edge `i` (0 to 3) of a split.
@@ -153,6 +156,9 @@ struct GridData {
   /// tell.
   InsideRule inside = InsideRule::kRepair;
   double thickness = 0;
+  /// In model units: how far `simplify` may have moved the surface. Not 0: the corners that the
+  /// grid keeps are the vertices of their loops, to the point.
+  double simplified = 0;
   std::vector<RimHit> rims;  ///< ascending by half-edge; a half-edge on the boundary may have none
   std::vector<KeptCorner> corners;  ///< ascending by half-edge; a loop has one at most
   GridStats stats;

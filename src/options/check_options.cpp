@@ -140,4 +140,10 @@ void check_options(const ReduceOptions& options) {
               "error is 0; it must be above 0, or target_triangles given");
 }
 
+void check_options(const SimplifyOptions& options) {
+  check_fields(options);
+  if (options.surface_error > 0) return;
+  throw Error(ErrorCode::kInvalidOption, "surface_error is 0; it must be above 0");
+}
+
 }  // namespace kdm

@@ -7,6 +7,7 @@
 
 #include "extract/dual/ring.h"
 #include "grid/grid_data.h"
+#include "mesh/marks.h"
 
 namespace kdm {
 
@@ -23,11 +24,14 @@ struct DualMesh {
   std::vector<Vec3> position;  ///< per vertex, in lattice coordinates
   std::vector<LoopId> next_loop_in_leaf;  ///< per loop: the next one of its leaf, cyclically
   bool open = false;                      ///< there is a boundary
+  Marks joined;                           ///< per loop: `KeptCorner::joined`; empty if none is
 
   Index triangles() const { return static_cast<Index>(hit.size()); }
   /// Counts vertices, also dropped ones.
   Index vertices() const { return static_cast<Index>(first_half_edge.size()); }
   bool dropped(TriangleId triangle) const { return vertex[3 * triangle] == kNone; }
+  /// Tells whether the edges of the vertex stay as they are.
+  bool keeps_edges(VertexId v) const { return v < joined.size() && joined.test(v); }
   /// Appends triangle (a, b, c), which stands for hit `of_hit` and has no links. Returns its first
   /// half-edge.
   HalfEdgeId add_triangle(HitId of_hit, VertexId a, VertexId b, VertexId c);

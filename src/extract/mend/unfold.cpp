@@ -124,6 +124,9 @@ class Unfolding {
                     mesh_.vertex[previous_in_triangle(ba)],
                     mesh_.hit[ab / 3],
                     mesh_.hit[ba / 3]};
+    for (const Index v : {pair.a, pair.b, pair.c, pair.d}) {
+      if (mesh_.keeps_edges(v)) return {};
+    }
     if (pair.c == pair.d || shorter_than_four(pair.a) || shorter_than_four(pair.b) ||
         joined(pair.c, pair.d)) {
       return {};

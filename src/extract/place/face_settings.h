@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "grid/grid_data.h"
 #include "kdmanifold/extract.h"
 
 namespace kdm {
@@ -14,6 +15,13 @@ struct SplitError {
   double distance = std::numeric_limits<double>::infinity();  ///< lattice units
   double of_hits = 0;  ///< fraction of the distance to the furthest of its hits
 };
+
+/// Returns the limits by default. Where the surface is merely curved, a leaf's vertex lies a little
+/// off its planes, and splits would fold it: only what looks like a second feature is split.
+inline SplitError standard_split_error(const GridData& grid) {
+  constexpr double kFeature = 0.3;
+  return {grid.tolerance, kFeature};
+}
 
 /// The options of extraction that the passes from loops to faces need, in lattice units.
 struct FaceSettings {

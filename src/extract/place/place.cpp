@@ -76,11 +76,28 @@ std::vector<std::pair<Index, Vec3>> kept_corners(const GridData& grid, const Dua
   return corners;
 }
 
+namespace {
+
+// Notes in the mesh which vertices are joined.
+void mark_joined(const GridData& grid, DualMesh& mesh) {
+  if (grid.simplified == 0) return;
+  mesh.joined.assign(mesh.vertices());
+  for (const KeptCorner& corner : grid.corners) {
+    const HitId hit = corner.half_edge / 3;
+    const Index place = place_of_slot(corner.half_edge % 3, grid.hits[hit].reversed());
+    const VertexId vertex = mesh.vertex[3 * hit + place];
+    if (corner.joined && vertex != kNone) mesh.joined.set(vertex);
+  }
+}
+
+}  // namespace
+
 std::vector<Index> place_vertices(const GridView& view, const FaceSettings& settings,
                                   DualMesh& mesh) {
   const GridData& grid = view.grid;
   const auto vertices = mesh.vertices();
   mesh.position.reserve(vertices);
+  mark_joined(grid, mesh);
   std::vector<LoopId> missed;
   std::vector<Index> hits;
   std::vector<const RimHit*> rims;
@@ -90,15 +107,19 @@ std::vector<Index> place_vertices(const GridView& view, const FaceSettings& sett
     hits.clear();
     for (const HalfEdgeId h : mesh.ring(vertex)) hits.push_back(mesh.hit[h / 3]);
     const LatticeBox& box = view.boxes[mesh.leaf[vertex]];
+    while (corner != corners.end() && corner->first < vertex) ++corner;
+    const bool has_corner = corner != corners.end() && corner->first == vertex;
+    if (has_corner && grid.simplified > 0) {
+      mesh.position.push_back(corner->second);
+      continue;
+    }
     find_rims(grid, mesh, vertex, rims);
     if (!rims.empty()) {
       mesh.position.push_back(rim_position(grid, hits, rims, box));
       continue;
     }
-    while (corner != corners.end() && corner->first < vertex) ++corner;
     const Vec3 point = vertex_position(view, hits, box, settings.position);
-    if (corner != corners.end() && corner->first == vertex &&
-        !is_beside(corner->second, point, box, grid.tolerance)) {
+    if (has_corner && !is_beside(corner->second, point, box, grid.tolerance)) {
       mesh.position.push_back(corner->second);
       continue;
     }

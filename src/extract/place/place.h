@@ -15,7 +15,8 @@ namespace kdm {
 /// settings say (see `vertex_position`), on the boundary also by the planes through the input's
 /// rim; if the grid keeps a corner for the loop, the vertex goes there. Returns, ascending, the
 /// vertices that were placed by planes and lie further from these planes than the settings' split
-/// error. Vertices on the boundary are not returned, since a split is not defined there.
+/// error. In a simplified grid corners count before planes and rims, and `joined` is filled.
+/// Vertices on the boundary are not returned, since a split is not defined there.
 std::vector<LoopId> place_vertices(const GridView& view, const FaceSettings& settings,
                                    DualMesh& mesh);
 

@@ -100,8 +100,10 @@ class Refinement {
                                 Index opposite, const Vec3& crossing) {
     const Index hit = half_edge / 3;
     const Index other = opposite / 3;
-    if (level == EmbedLevel::kTriangle && meets_planes(face, hit, other, crossing))
+    if (level == EmbedLevel::kTriangle &&
+        (keeps_edge(half_edge) || meets_planes(face, hit, other, crossing))) {
       return std::nullopt;
+    }
     if (level >= EmbedLevel::kLinksApart) {
       std::vector<HitPair> links;
       if (levels_.plain != nullptr) links = links_beside(*levels_.plain, half_edge);
@@ -113,6 +115,11 @@ class Refinement {
     if (!wanted) return std::nullopt;
     find_hits_beside(half_edge, opposite);
     return crease_point(view_, face, {hit, other}, beside_, distance_);
+  }
+
+  bool keeps_edge(Index half_edge) const {
+    return mesh_.keeps_edges(mesh_.vertex[half_edge]) ||
+           mesh_.keeps_edges(mesh_.end_vertex(half_edge));
   }
 
   // Collects the hits of the loops on both sides of the link.

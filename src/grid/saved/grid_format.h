@@ -16,9 +16,10 @@
 //                      parts
 //            4 n       of the grid: unresolved leaves, guessed faces, exact and thin parts
 //            u8        1: input closed, 2: input flipped, 4: topology resolved, 8: a sheet's grid,
-//                      16: the input's nesting is known, 32: of several operands
+//                      16: the input's nesting is known, 32: of several operands, 64: simplified
 //            5 f64     of the input: area of patches and of lost parts, of the largest lost one,
 //                      sewing distance, extent
+//            only if simplified: f64  how far its surface may have moved, above 0
 //   sizes    n, n      splits, hits
 //   cells    a split: n  8 (3 z + axis) + 4 stray + 2 (upper child is split) + (lower child is
 //                      split), z being the split value less the middle of the cell; if stray:
@@ -39,7 +40,7 @@
 //   rims     n         their number
 //            a rim: n, 3 f64, 3 f64  half-edge less that of the rim before, less 1; point; normal
 //   corners  n         their number
-//            a corner: n, 3 f64  as a rim's, without normal
+//            a corner: n, 3 f64  as a rim's, without normal; if simplified, then u8  1: joined
 //   operands  only of several:
 //            n         their number
 //            an operand: n and f64  its report, as reports.h lists the values: counts and flags as
@@ -74,7 +75,7 @@ inline constexpr std::uint64_t kMostSplits = (1u << 30) - 1;
 inline constexpr Index kManyHits = 3;
 
 inline constexpr unsigned kClosed = 1, kFlipped = 2, kTopologyResolved = 4, kSheet = 8;
-inline constexpr unsigned kNestingKnown = 16, kSeveralOperands = 32;
+inline constexpr unsigned kNestingKnown = 16, kSeveralOperands = 32, kSimplified = 64;
 inline constexpr unsigned kBelowIsSplit = 1, kAboveIsSplit = 2, kStray = 4;
 
 inline std::uint64_t checksum(std::string_view bytes) {

@@ -49,7 +49,14 @@ class LinkReader {
 
   void read_corners() const {
     read_kept("corner", 3, grid_.corners, [&](HalfEdgeId half_edge) {
-      return KeptCorner{half_edge, take_point("a corner's point")};
+      KeptCorner corner{half_edge, take_point("a corner's point")};
+      if (grid_.simplified > 0) {
+        bytes_.require(1, 1, "corner");
+        const auto joined = bytes_.take_unsigned<std::uint8_t>();
+        if (joined > 1) bytes_.fail("a corner is joined or not");
+        corner.joined = joined != 0;
+      }
+      return corner;
     });
   }
 

@@ -98,7 +98,7 @@ class GridReader {
     }
     bytes_.require(1, 1, "flags");
     const auto flags = bytes_.take_unsigned<std::uint8_t>();
-    if (flags >= 2 * format::kSeveralOperands) {
+    if (flags >= 2 * format::kSimplified) {
       bytes_.fail("there are no such flags");
     }
     input.closed = (flags & format::kClosed) != 0;
@@ -112,6 +112,10 @@ class GridReader {
                             &input.sewing_distance, &input.extent}) {
       *measure =
           take_real(bytes_, 0, std::numeric_limits<double>::max(), "a measure of the report");
+    }
+    if ((flags & format::kSimplified) != 0) {
+      grid_.simplified = take_real(bytes_, std::numeric_limits<double>::min(),
+                                   std::numeric_limits<double>::max(), "how far it was simplified");
     }
   }
 

@@ -80,11 +80,13 @@ class GridWriter {
             (input.closed ? format::kClosed : 0) | (input.flipped ? format::kFlipped : 0) |
             (grid_.stats.topology_resolved ? format::kTopologyResolved : 0) |
             (grid_.sheet ? format::kSheet : 0) | (input.nesting_known ? format::kNestingKnown : 0) |
-            (grid_.operands.empty() ? 0 : format::kSeveralOperands)));
+            (grid_.operands.empty() ? 0 : format::kSeveralOperands) |
+            (grid_.simplified > 0 ? format::kSimplified : 0)));
     for (const double measure : {input.patch_area, input.lost_area, input.largest_lost,
                                  input.sewing_distance, input.extent}) {
       append_f64(out_, measure);
     }
+    if (grid_.simplified > 0) append_f64(out_, grid_.simplified);
   }
 
   // Keeps account of what the reader knows at each split: `pending` are the cells that it knows are
@@ -202,7 +204,10 @@ class GridWriter {
   }
 
   void write_corners() {
-    write_kept(grid_.corners, [&](const KeptCorner& corner) { write_vector(corner.point); });
+    write_kept(grid_.corners, [&](const KeptCorner& corner) {
+      write_vector(corner.point);
+      if (grid_.simplified > 0) append_u8(out_, corner.joined ? 1 : 0);
+    });
   }
 
   void write_operands() {

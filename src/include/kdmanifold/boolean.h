@@ -52,11 +52,10 @@ struct BooleanMesh : MadeMesh {
 
 /// Makes the mesh of what an expression says of some solids, reduced to few triangles as
 /// `make_manifold` does it, unless `reduction` or the other options exclude that; held against the
-/// faces of all operands, so the tolerance holds for the whole. Throws what `build_csg_grid`, `extract` and
-/// `make_manifold` throw.
+/// faces of all operands, so the tolerance holds for the whole. Throws what `build_csg_grid`,
+/// `extract` and `make_manifold` throw.
 BooleanMesh boolean(const Expression& expression, const std::vector<Operand>& operands,
-                    const BuildOptions& build = {},
-                    const ExtractOptions& extract = {},
+                    const BuildOptions& build = {}, const ExtractOptions& extract = {},
                     const ReductionOptions& reduction = {}, const Progress& progress = {});
 /// The same with the grid; every step has a progress function of its own.
 MadeManifold make_solids_in_steps(const Expression& expression,

@@ -16,6 +16,7 @@
 #include "kdmanifold/mesh_io.h"
 #include "kdmanifold/progress.h"
 #include "kdmanifold/reduce.h"
+#include "kdmanifold/simplify.h"
 #include "kdmanifold/thicken.h"
 #include "kdmanifold/types.h"
 #include "kdmanifold/version.h"

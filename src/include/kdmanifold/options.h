@@ -22,6 +22,7 @@
 #include "kdmanifold/make_manifold.h"
 #include "kdmanifold/mesh_io.h"
 #include "kdmanifold/reduce.h"
+#include "kdmanifold/simplify.h"
 
 namespace kdm {
 
@@ -327,6 +328,25 @@ void for_each_field(Options& options, Visit&& visit) {
         options.target_triangles);
 }
 
+/// See `for_each_field` of `BuildOptions`. Command lines do not have these.
+template <Either<SimplifyOptions> Options, typename Visit>
+void for_each_field(Options& options, Visit&& visit) {
+  visit(OptionField{.name = "surface_error",
+                    .letter = "E",
+                    .help = "how far the surface may be, either way, from what it was when the "
+                            "grid was built",
+                    .details = "What calls before have used up counts.",
+                    .unit = Unit::kModelUnits},
+        options.surface_error);
+  visit(OptionField{.name = "plane_error",
+                    .letter = "E",
+                    .help = "the paper's on-metric as a further limit: the root mean square "
+                            "distance of merged hits from the plane that fits them best",
+                    .zero = "no limit",
+                    .unit = Unit::kModelUnits},
+        options.plane_error);
+}
+
 /// See `for_each_field` of `BuildOptions`. Command lines, whose --stats looks for everything, do
 /// not have these.
 template <Either<AnalyzeOptions> Options, typename Visit>
@@ -348,6 +368,8 @@ void check_options(const ExtractOptions& options);
 void check_options(const ReductionOptions& options);
 /// See above. One of the two must be given.
 void check_options(const ReduceOptions& options);
+/// See above. The surface error must be above 0.
+void check_options(const SimplifyOptions& options);
 
 /// Says whether an option was given, by its name.
 using IsGiven = std::function<bool(std::string_view)>;

@@ -14,6 +14,7 @@
 #include "kdmanifold/grid.h"
 #include "kdmanifold/mesh.h"
 #include "kdmanifold/reduce.h"
+#include "kdmanifold/simplify.h"
 
 namespace kdm {
 
@@ -235,6 +236,28 @@ void for_each_field(const ReduceReport& report, Visit&& visit) {
   visit(
       ReportField{"flips", "Edges that were flipped, at creases that the reference does not have"},
       report.flips);
+}
+
+/// See `for_each_field` of `InputReport`.
+template <typename Visit>
+void for_each_field(const SimplifyReport& report, Visit&& visit) {
+  visit(ReportField{"removed_splits", "Splits that were removed from the grid"},
+        report.removed_splits);
+  visit(ReportField{"cells_before", "Nodes of the kd-tree before"}, report.cells_before);
+  visit(ReportField{"cells", "Nodes that are left"}, report.cells);
+  visit(ReportField{"hits_before", "Intersections of the surface with grid edges before"},
+        report.hits_before);
+  visit(ReportField{"hits", "Intersections that are left"}, report.hits);
+  visit(ReportField{"plane_error",
+                    "The largest root mean square distance of merged hits from the plane that fits "
+                    "them best (the paper's on-metric)",
+                    Unit::kModelUnits},
+        report.plane_error);
+  visit(ReportField{"allowed_error",
+                    "How far the surface may now be from what it was when the grid was built: what "
+                    "all calls have been allowed",
+                    Unit::kModelUnits},
+        report.allowed_error);
 }
 
 /// See `for_each_field` of `InputReport`.

@@ -205,9 +205,15 @@ TEST(GridDamage, HostileNumbersAreRefused) {
     for (; numbers < 20; ++at) numbers += sound[at] < 0x80 ? 1 : 0;
     return at - kReportsAt;
   }();
-  expect_after([&](Bytes& b) { b[flags_at] = 64; }, "no such flags");
+  expect_after([&](Bytes& b) { b[flags_at] = 128; }, "no such flags");
   const std::size_t sizes_at = flags_at + 1 + 5 * 8;  // five measures follow the flags
-  const Bytes most{0xff, 0xff, 0xff, 0xff, 3};        // 2^30 - 1
+  expect_after(
+      [&](Bytes& b) {
+        b[flags_at] |= 64;
+        insert(b, sizes_at, Bytes(8, 0));
+      },
+      "how far it was simplified");
+  const Bytes most{0xff, 0xff, 0xff, 0xff, 3};  // 2^30 - 1
   expect_after([&](Bytes& b) { insert(b, sizes_at, most); }, "x split of 2 bytes");
   expect_after(
       [&](Bytes& b) {

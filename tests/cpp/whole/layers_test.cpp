@@ -42,6 +42,7 @@ const std::vector<std::string> kRooms = {"include/kdmanifold",
                                          "extract",
                                          "csg",
                                          "reduce",
+                                         "simplify",
                                          "make",
                                          "account"};
 
