@@ -98,6 +98,53 @@ export async function manifold3d(mesh, { union = false } = {}) {
   }
 }
 
+/** Reduces a closed mesh by count, by each of those who can; seconds are processor time. */
+export const reducers = {
+  async kdmanifold(mesh, triangles) {
+    const kdm = await load();
+    const start = now();
+    const { mesh: few } = kdm.simplifyMesh(mesh, { targetTriangles: [triangles] });
+    return { mesh: few, seconds: now() - start };
+  },
+
+  async meshoptimizer(mesh, triangles) {
+    const { MeshoptSimplifier } = await import('meshoptimizer');
+    await MeshoptSimplifier.ready;
+    const start = now();
+    const [indices] = MeshoptSimplifier.simplify(mesh.indices, mesh.positions, 3, 3 * triangles, 1);
+    const seconds = now() - start;
+    return { mesh: { positions: mesh.positions, indices }, seconds };
+  },
+
+  /** Goes by a tolerance, so the largest number of triangles below what is wanted is searched; one run counts. */
+  async 'manifold-3d'(mesh, triangles) {
+    const { Manifold, Mesh } = await manifoldModule();
+    const whole = new Manifold(
+      new Mesh({ numProp: 3, vertProperties: mesh.positions, triVerts: mesh.indices }),
+    );
+    const { min, max } = whole.boundingBox();
+    const diagonal = Math.hypot(...max.map((x, k) => x - min[k]));
+    let [low, high] = [1e-6, 0.2];
+    let best;
+    for (let i = 0; i < 12; ++i) {
+      const share = Math.sqrt(low * high);
+      const start = now();
+      const few = whole.simplify(share * diagonal);
+      const { vertProperties, triVerts } = few.getMesh();
+      const seconds = now() - start;
+      if (triVerts.length / 3 > triangles) {
+        low = share;
+      } else {
+        high = share;
+        best = { mesh: { positions: vertProperties.slice(), indices: triVerts.slice() }, seconds };
+      }
+      few.delete();
+    }
+    whole.delete();
+    return best;
+  },
+};
+
 function joined(manifold) {
   const { Manifold } = loadedManifold;
   const parts = manifold.decompose();
