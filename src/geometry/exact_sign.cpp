@@ -138,4 +138,11 @@ int area_sign(const Vec3& a, const Vec3& b, const Vec3& c, int axis) {
   return exact.sign();
 }
 
+bool has_area(const Vec3& a, const Vec3& b, const Vec3& c) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (area_sign(a, b, c, axis) != 0) return true;
+  }
+  return false;
+}
+
 }  // namespace kdm

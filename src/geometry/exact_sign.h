@@ -20,4 +20,7 @@ int volume_sign(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 /// the plane of the next and the previous axis.
 int area_sign(const Vec3& a, const Vec3& b, const Vec3& c, int axis);
 
+/// Tells whether (a, b, c) do not lie on one line.
+bool has_area(const Vec3& a, const Vec3& b, const Vec3& c);
+
 }  // namespace kdm

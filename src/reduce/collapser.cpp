@@ -167,13 +167,23 @@ bool Collapser::keeps_shape() const {
   return worst >= kLeastShape || worst >= worst_before;
 }
 
+// Tells whether the ring has a vertex round which nothing may meet.
+bool Collapser::is_guarded() const {
+  if (!piece_.guard) return false;
+  if (!piece_.guarded) return true;
+  const Marks& marked = *piece_.guarded;
+  return marked.test(ring_.kept) || marked.test(ring_.removed) ||
+         std::any_of(ring_.triangles.begin(), ring_.triangles.end(),
+                     [&](const RingTriangle& t) { return marked.test(t.from); });
+}
+
 Collapser::Verdict Collapser::try_step(SideId edge, CollapsePlace place) {
   if (!meets_link_condition(edge)) return Verdict::kNever;
   make_ring(edge, point_of(edge, place, quadric_of(edge)));
   if (!keeps_shape()) return Verdict::kNoPlace;
   if (smooth_ && !smooth_->stays_smooth(ring_)) return Verdict::kNoPlace;
   if (piece_.distance && !stays_near(piece_, ring_)) return Verdict::kNoPlace;
-  if (piece_.guard.would_meet(ring_)) return Verdict::kNoPlace;
+  if (is_guarded() && piece_.guard->would_meet(ring_)) return Verdict::kNoPlace;
   step(edge);
   return Verdict::kDone;
 }
@@ -188,7 +198,9 @@ void Collapser::step(SideId edge) {
   piece_.mesh.collapse(edge);
   piece_.positions[v] = ring_.point;
   quadric_[v] += quadric_[ring_.removed];
-  piece_.guard.collapsed(ring_);
+  piece_.joined_to[ring_.removed] = v;
+  if (piece_.guard) piece_.guard->collapsed(ring_);
+  if (piece_.guarded && piece_.guarded->test(ring_.removed)) piece_.guarded->set(v);
   ++collapses_;
   piece_.mesh.for_each_leaving(v, [&](SideId h) {
     const SideId changed = piece_.mesh.edge(h);

@@ -38,6 +38,7 @@ class Collapser {
   bool meets_link_condition(SideId edge);
   void make_ring(SideId edge, const Vec3& point);
   bool keeps_shape() const;
+  bool is_guarded() const;
   void step(SideId edge);
 
   Workpiece& piece_;

@@ -18,13 +18,6 @@ constexpr double kRounding = 1e-14;
 
 double one_norm(const Vec3& v) { return v.cwiseAbs().sum(); }
 
-bool has_area(const std::array<Vec3, 3>& t) {
-  for (int axis = 0; axis < 3; ++axis) {
-    if (area_sign(t[0], t[1], t[2], axis) != 0) return true;
-  }
-  return false;
-}
-
 std::vector<SmallBox> boxes_of(const HalfEdges& mesh, const std::vector<Vec3>& positions) {
   std::vector<SmallBox> boxes(mesh.triangles());
   for (TriangleId t = 0; t < mesh.triangles(); ++t) {
@@ -102,7 +95,7 @@ bool CrossingGuard::planned_meet(bool simple_inside, TriangleId beside) {
   SmallBox all;
   for (std::size_t i = 0; i < planned_.size(); ++i) {
     const Planned& t = planned_[i];
-    if (!has_area(t.corners)) return true;
+    if (!has_area(t.corners[0], t.corners[1], t.corners[2])) return true;
     for (std::size_t j = 0; j < i && !simple_inside; ++j) {
       if (Crossing::test(t.corners, t.numbers, planned_[j].corners, planned_[j].numbers)) {
         return true;

@@ -62,10 +62,10 @@ class Flipper {
                      std::min({limits[a], limits[b], limits[c], limits[d]}))) {
       return false;
     }
-    if (piece_.guard.would_meet(places, triangles)) return false;
+    if (piece_.guard->would_meet(places, triangles)) return false;
     samples.move(places);
     piece_.mesh.flip(h);
-    for (const TriangleId t : places) piece_.guard.changed(t);
+    for (const TriangleId t : places) piece_.guard->changed(t);
     return true;
   }
 

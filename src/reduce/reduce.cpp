@@ -16,9 +16,8 @@
 #include "mesh/progress.h"
 #include "mesh/scale.h"
 #include "reduce/carry_over.h"
-#include "reduce/collapser.h"
-#include "reduce/flips.h"
 #include "reduce/local_limits.h"
+#include "reduce/pass.h"
 #include "reduce/scaled_mesh.h"
 #include "text/compose.h"
 
@@ -96,23 +95,30 @@ Samples samples_of(const ScaledMesh& mesh, const Reference& surface, const Scale
   return samples;
 }
 
-Mesh mesh_of(const Workpiece& piece, int exponent) {
-  Mesh out;
-  const HalfEdges& mesh = piece.mesh;
-  std::vector<Index> numbers(mesh.vertices(), kNone);
-  for (VertexId v = 0; v < mesh.vertices(); ++v) {
-    if (mesh.leaving(v) == kNone) continue;
-    numbers[v] = static_cast<Index>(out.positions.size());
-    const Vec3& p = piece.positions[v];
-    out.positions.push_back(
-        {std::ldexp(p[0], exponent), std::ldexp(p[1], exponent), std::ldexp(p[2], exponent)});
+// By numbers of triangles alone, steps are not looked at first, and then, from the start, only
+// those round vertices whose triangles met others in the end: next to none. Where they are more
+// than this part of all, or still some after a few passes, all steps are looked at.
+constexpr double kMany = 0.02;
+constexpr int kMostPasses = 4;
+
+Pass pass_by_number(const HalfEdges& half_edges, const std::vector<Vec3>& positions,
+                    const std::vector<Index>& targets, const Progress& progress) {
+  Marks guarded(positions.size());
+  for (int pass = 1; pass < kMostPasses; ++pass) {
+    Workpiece piece(half_edges, positions, std::nullopt, guarded);
+    // Most of the time goes into the first pass.
+    const double from = pass == 1 ? 0 : 1 - std::pow(0.1, pass - 1);
+    Pass out = run_pass(piece, targets, part_of_progress(progress, from, 1 - std::pow(0.1, pass)));
+    const Marks meeting = vertices_that_meet(piece, out.levels);
+    const std::size_t count = meeting.count();
+    if (count == 0) return out;
+    if (static_cast<double>(count) > kMany * static_cast<double>(positions.size())) break;
+    for (VertexId v = 0; v < guarded.size(); ++v) {
+      if (meeting.test(v)) guarded.set(v);
+    }
   }
-  for (TriangleId t = 0; t < mesh.triangles(); ++t) {
-    if (mesh.is_removed(t)) continue;
-    const Triangle c = mesh.corners(t);
-    out.triangles.push_back({numbers[c[0]], numbers[c[1]], numbers[c[2]]});
-  }
-  return out;
+  Workpiece piece(half_edges, positions, std::nullopt);
+  return run_pass(piece, targets, part_of_progress(progress, 0.999, 1));
 }
 
 // Throws if the arrays of a mesh do not fit together.
@@ -163,33 +169,26 @@ ReducedMesh reduce(const Mesh& mesh, const Mesh& reference, const ReduceOptions&
                                   std::move(near),
                                   {*kept, kCreaseReach * diagonal_of(to.positions)}});
   }
-  Workpiece piece(std::move(half_edges), from.positions, std::move(distance));
-  ReducedMesh out;
-  const auto level = [&] {
-    Mesh result = mesh_of(piece, exponent);
-    carry_over(from, surface, -exponent, result);
-    return result;
-  };
-  if (piece.distance) out.report.flips += flip_false_creases(piece);
-  Collapser collapser(piece);
   std::vector<Index> targets = options.target_triangles;
   if (targets.empty()) targets = {0};
-  const Index at_first = piece.mesh.living_triangles();
-  for (const Index target : targets) {
-    // What is left to do is known where a number of triangles is asked for.
-    const auto done = [&] {
-      const Index gone = at_first - piece.mesh.living_triangles();
-      return static_cast<double>(gone) /
-             std::max(1u, at_first - std::min(at_first, targets.back()));
-    };
-    collapser.collapse_to(
-        target, [&] { report_progress(progress, kBefore + (1 - kBefore) * done(), "reduce"); });
-    if (!options.target_triangles.empty()) out.levels.push_back(level());
+  const Progress steps = part_of_progress(progress, kBefore, 1);
+  Pass pass;
+  if (distance) {
+    Workpiece piece(std::move(half_edges), from.positions, std::move(distance));
+    pass = run_pass(piece, targets, steps);
+  } else {
+    pass = pass_by_number(half_edges, from.positions, targets, steps);
   }
-  if (piece.distance) out.report.flips += flip_false_creases(piece);
-  static_cast<Mesh&>(out) = level();
-  if (!out.levels.empty()) out.levels.back() = out;
-  out.report.collapses = collapser.collapses();
+  ReducedMesh out;
+  for (PassLevel& level : pass.levels) {
+    out.levels.push_back(std::move(level.mesh));
+    out.levels.back().positions = scaled(out.levels.back().positions, exponent);
+    carry_over(from, surface, -exponent, out.levels.back());
+  }
+  static_cast<Mesh&>(out) = out.levels.back();
+  if (options.target_triangles.empty()) out.levels.clear();
+  out.report.flips = pass.flips;
+  out.report.collapses = pass.collapses;
   out.report.triangles_before = static_cast<Index>(from.triangles.size());
   out.report.triangles = static_cast<Index>(out.triangles.size());
   report_progress(progress, 1, "reduce");

@@ -25,18 +25,26 @@ struct KeptDistance {
 
 /// The mesh. Coordinates are of about 1.
 struct Workpiece {
-  Workpiece(HalfEdges half_edges, std::vector<Vec3> points, std::optional<KeptDistance> kept)
+  /// Without `watched`, no step may let triangles meet; with it only steps that change triangles
+  /// at marked vertices are looked at.
+  Workpiece(HalfEdges half_edges, std::vector<Vec3> points, std::optional<KeptDistance> kept,
+            std::optional<Marks> watched = {})
       : mesh(std::move(half_edges)),
         positions(std::move(points)),
+        joined_to(positions.size(), kNone),
         distance(std::move(kept)),
-        guard(mesh, positions) {}
+        guarded(std::move(watched)) {
+    if (!guarded || guarded->any()) guard.emplace(mesh, positions);
+  }
   Workpiece(const Workpiece&) = delete;  // the guard refers to the mesh
   Workpiece& operator=(const Workpiece&) = delete;
 
   HalfEdges mesh;
   std::vector<Vec3> positions;           // per vertex
+  std::vector<VertexId> joined_to;       // per vertex that is gone: the one it was joined to
   std::optional<KeptDistance> distance;  // none: the number of triangles alone decides
-  CrossingGuard guard;
+  std::optional<CrossingGuard> guard;    // none: nothing is guarded
+  std::optional<Marks> guarded;          // per vertex; none: all are guarded
 };
 
 }  // namespace kdm
