@@ -42,6 +42,7 @@ std::vector<std::array<float, 3>> normals_of(const Mesh& exact, double crease_co
 template <typename T>
 void insert_behind(std::size_t triangles, std::size_t each, const std::vector<T>& added,
                    std::vector<T>& to) {
+  if (added.empty()) return;
   to.insert(to.begin() + static_cast<std::ptrdiff_t>(each * triangles), added.begin(), added.end());
 }
 

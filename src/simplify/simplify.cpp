@@ -26,8 +26,9 @@ GridData simplified(const GridData& data, const SimplifyOptions& options, double
                     const Progress& progress, SimplifyReport& report) {
   const double step = data.lattice.step;
   report_progress(progress, 0, "simplify");
-  const Mesh reference =
-      extract(Grid(std::make_unique<GridData>(data)), {.strict = Strict::kManifold});
+  auto own = std::make_unique<GridData>(data);
+  own->exact = {};  // no split has a part in it
+  const Mesh reference = extract(Grid(std::move(own)), {.strict = Strict::kManifold});
   WorkGrid work(data);
   NearSurface near(work, reference, distance / step);
   report_progress(progress, kBefore, "simplify");
@@ -54,7 +55,7 @@ SimplifyReport simplify(Grid& grid, const SimplifyOptions& options, const Progre
   report.hits_before = static_cast<Index>(data.hits.size());
   const double distance = options.surface_error - data.simplified;
   std::unique_ptr<GridData> out;
-  if (distance > kNothing * options.surface_error) {
+  if (distance > kNothing * options.surface_error && !data.hits.empty()) {
     out = std::make_unique<GridData>(simplified(data, options, distance, progress, report));
   }
   const GridData& now = out ? *out : data;
