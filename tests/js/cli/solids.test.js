@@ -60,8 +60,7 @@ test('both refuse the same in the same words', () =>
       ['a.obj', '--union', 'a.obj', '--transform', '1,0,0,0,0,1,0,0,0,0,0,0'],
       ['a.obj', '--transform', '1,0,0,0,0,1,0,0,0,0,1,0', '--transform', '1,0,0,0,0,1,0,0,0,0,1,0'],
       ['a.obj', '--union', 'a.obj', '--inside', 'sheet'],
-      ['a.obj', '--union', 'a.obj', '--target-triangles', '20'],
-      ['a.obj', '--union', 'a.obj', '--noReduce'],
+      ['a.obj', '--union', 'a.obj', '--no-reduce', '--target-triangles', '20'],
     ]) {
       const [native, node] = both(args, { cwd: folder });
       expect(native.status).toBe(2);
