@@ -157,11 +157,9 @@ class ExactBodies {
     for (const Index face : meeting.faces) exact_.clear(body_of(numbers[face]));
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       const auto [a, b, c] = mesh.triangles[i];
-      bool has_area = false;
-      for (int axis = 0; axis < 3 && !has_area; ++axis) {
-        has_area = area_sign(mesh.positions[a], mesh.positions[b], mesh.positions[c], axis) != 0;
+      if (!has_area(mesh.positions[a], mesh.positions[b], mesh.positions[c])) {
+        exact_.clear(body_of(numbers[i]));
       }
-      if (!has_area) exact_.clear(body_of(numbers[i]));
     }
   }
 
