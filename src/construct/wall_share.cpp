@@ -48,7 +48,7 @@ std::vector<Probe> make_probes(std::span<const Triangle> triangles, const std::v
     const double place = (i + 0.5) / kProbes * area;
     while (t + 1 < triangles.size() && area_up_to[t] <= place) ++t;
     const auto [a, b, c] = triangles[t];
-    const Vec3 out = normalized_or_zero(doubled_area_vector(points[a], points[b], points[c]));
+    const Vec3 out = unit_normal(points[a], points[b], points[c]);
     probes.push_back({t, spread_point(i, points[a], points[b], points[c]), -reach * out});
   }
   return probes;

@@ -27,7 +27,7 @@ std::vector<std::array<float, 3>> normals_of(const Mesh& exact, double crease_co
       mesh.vertex.push_back(v);
     }
     const auto& p = exact.positions;
-    face_normals.push_back(normalized_or_zero(doubled_area_vector(p[t[0]], p[t[1]], p[t[2]])));
+    face_normals.push_back(unit_normal(p[t[0]], p[t[1]], p[t[2]]));
   }
   std::vector<std::array<float, 3>> normals;
   for (const Vec3& normal : corner_normals(mesh, face_normals, crease_cosine)) {

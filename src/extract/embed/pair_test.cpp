@@ -53,7 +53,7 @@ bool PairTest::meet(const DualMesh& mesh, const CachedTriangle& triangle, Triang
 
 bool PairTest::has_no_area(const DualMesh& mesh, TriangleId t) const {
   const auto [a, b, c] = corners(corner_numbers(mesh, t));
-  return area_sign(a, b, c, 0) == 0 && area_sign(a, b, c, 1) == 0 && area_sign(a, b, c, 2) == 0;
+  return !has_area(a, b, c);
 }
 
 bool PairTest::fan_is_simple(const DualMesh& mesh, VertexId v) {
