@@ -47,9 +47,14 @@ bool members_cross(const CellTriangles& triangles, MemberId i, MemberId j) {
 
 }  // namespace
 
-// Calls `visit(i, j)` for two members that cross, until it returns true.
-template <typename Visit>
-void CrossingTriangles::for_each_crossing(const CellTriangles& triangles, const Visit& visit) {
+// Calls `visit(i, j)` for two members that cross, until it returns true. Pairs for which
+// `skips(i, j)` holds are not looked at.
+template <typename Skips, typename Visit>
+void CrossingTriangles::for_each_crossing(const CellTriangles& triangles, const Skips& skips,
+                                          const Visit& visit) {
+  const auto cross = [&](MemberId i, MemberId j) {
+    return !skips(i, j) && members_cross(triangles, i, j);
+  };
   if (triangles.size() > kMaxSweepMembers) {
     std::vector<Box> boxes;
     boxes.reserve(triangles.size());
@@ -57,9 +62,8 @@ void CrossingTriangles::for_each_crossing(const CellTriangles& triangles, const 
       boxes.push_back({to_vec3(triangles.bounds(m).lo), to_vec3(triangles.bounds(m).hi)});
     }
     bool enough = false;
-    BoxTree(boxes).for_each_pair([&](MemberId i, MemberId j) {
-      enough = enough || (members_cross(triangles, i, j) && visit(i, j));
-    });
+    BoxTree(boxes).for_each_pair(
+        [&](MemberId i, MemberId j) { enough = enough || (cross(i, j) && visit(i, j)); });
     return;
   }
   const int axis = longest_axis(triangles.cell());
@@ -74,20 +78,24 @@ void CrossingTriangles::for_each_crossing(const CellTriangles& triangles, const 
       const std::uint64_t other = by_lower_bound_[j];
       if (first_of_pair(other) > triangles.bounds(first).hi[axis]) break;
       const MemberId second = second_of_pair(other);
-      if (members_cross(triangles, first, second) && visit(first, second)) return;
+      if (cross(first, second) && visit(first, second)) return;
     }
   }
 }
 
 bool CrossingTriangles::exist_in(const CellTriangles& triangles) {
   bool exist = false;
-  for_each_crossing(triangles, [&](MemberId, MemberId) { return exist = true; });
+  const auto skips_none = [](MemberId, MemberId) { return false; };
+  for_each_crossing(triangles, skips_none, [&](MemberId, MemberId) { return exist = true; });
   return exist;
 }
 
 const Marks& CrossingTriangles::find_all(const CellTriangles& triangles) {
   crossing_.assign(triangles.size());
-  for_each_crossing(triangles, [&](MemberId i, MemberId j) {
+  const auto both_known = [&](MemberId i, MemberId j) {
+    return crossing_.test(i) && crossing_.test(j);
+  };
+  for_each_crossing(triangles, both_known, [&](MemberId i, MemberId j) {
     crossing_.set(i);
     crossing_.set(j);
     return false;

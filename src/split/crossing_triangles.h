@@ -23,8 +23,8 @@ class CrossingTriangles {
   const Marks& find_all(const CellTriangles& triangles);
 
  private:
-  template <typename Visit>
-  void for_each_crossing(const CellTriangles& triangles, const Visit& visit);
+  template <typename Skips, typename Visit>
+  void for_each_crossing(const CellTriangles& triangles, const Skips& skips, const Visit& visit);
 
   Marks crossing_;
   std::vector<std::uint64_t> by_lower_bound_;  // along the axis of the sweep, with the member

@@ -38,6 +38,7 @@ void InnerTriangles::find(CellSurface& surface_in_cell, int state, const Marks& 
   state_ = state;
   surface_in_cell.inner.assign(cell.size(), {});
   find_members_apart(crossing);
+  line_members_.list(cell);
   for (MemberId m = 0; m < cell.size(); ++m) {
     InnerPart& inner = surface_in_cell.inner[m];
     const bool apart = !apart_.empty() && groups_.contains(m);
@@ -141,19 +142,19 @@ int InnerTriangles::state_at(const LatticePoint& point) const {
 int InnerTriangles::follow(int axis, const LatticePoint& from, std::int32_t to, int state) const {
   const int u = next_axis(axis);
   const int v = previous_axis(axis);
-  for (MemberId m = 0; m < cell_->size(); ++m) {
+  line_members_.for_each(axis, from, [&](MemberId m) {
     const LatticeBox& bounds = cell_->bounds(m);
     if (bounds.lo[axis] > to || bounds.lo[u] > from[u] || bounds.hi[u] < from[u] ||
         bounds.lo[v] > from[v] || bounds.hi[v] < from[v]) {
-      continue;
+      return;
     }
     const LatticeTriangle& t = cell_->corners(m);
     const int normal = line_crosses(t, axis, from[u], from[v]);
-    if (normal == 0) continue;
+    if (normal == 0) return;
     const std::int32_t plane = floor_of(crossing_position(t, axis, from[u], from[v]));
-    if (plane < from[axis] || plane >= to) continue;
+    if (plane < from[axis] || plane >= to) return;
     state = model_.state_after(state, cell_->triangle(m), normal > 0);
-  }
+  });
   return state;
 }
 

@@ -5,6 +5,7 @@
 
 #include "inside/inside_model.h"
 #include "split/cell_surface.h"
+#include "split/line_members.h"
 #include "split/member_groups.h"
 
 namespace kdm {
@@ -44,6 +45,7 @@ class InnerTriangles {
   const CellTriangles* cell_ = nullptr;
   std::vector<MemberId> apart_;  // that cross nothing and are near no other solid
   MemberGroups groups_;          // of these
+  LineMembers line_members_;
   int state_ = 0;
 };
 

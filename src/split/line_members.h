@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// Which of a cell's triangles may lie on a way along grid lines.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "split/cell_triangles.h"
+
+namespace kdm {
+
+/// Lists a cell's members by where they lie, for ways that lead from the cell's lowest corner to
+/// points in it along axis 0, then along axis 1, then along axis 2. One object serves cell after
+/// cell.
+class LineMembers {
+ public:
+  /// Lists the members of a cell, in time linear in their number but for wide ones.
+  void list(const CellTriangles& cell);
+
+  /// Calls `visit(member)` for all members that may meet the part of the way along `axis`, on the
+  /// grid line through `point`; ascending.
+  template <typename Visit>
+  void for_each(int axis, const LatticePoint& point, const Visit& visit) const {
+    if (axis < 2) {
+      for (const MemberId m : on_first_[axis]) visit(m);
+      return;
+    }
+    const std::size_t column = column_of(point[0], 0) * columns_ + column_of(point[1], 1);
+    for (Index i = first_[column]; i < first_[column + 1]; ++i) visit(in_columns_[i]);
+  }
+
+ private:
+  // Bounds of members are rounded outwards, so positions may lie beside the cell.
+  std::size_t column_of(std::int32_t position, int axis) const {
+    const std::int64_t width = std::int64_t{box_.hi[axis]} - box_.lo[axis];
+    const std::int64_t within = std::clamp(position, box_.lo[axis], box_.hi[axis]) - box_.lo[axis];
+    return static_cast<std::size_t>(within * columns_ / (width + 1));
+  }
+  template <typename Visit>
+  void for_each_column(const LatticeBox& bounds, const Visit& visit) const;
+
+  LatticeBox box_;                                 // of the cell
+  std::array<std::vector<MemberId>, 2> on_first_;  // at the cell's lowest edge; in its lowest side
+  // The cell is cut into columns along axis 2: so many along axis 0 and along axis 1.
+  std::int64_t columns_ = 1;
+  std::vector<Index> first_;  // per column: where its members begin in `in_columns_`
+  std::vector<MemberId> in_columns_;
+};
+
+}  // namespace kdm
