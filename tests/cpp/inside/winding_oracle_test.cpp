@@ -103,6 +103,8 @@ TEST(WindingOracle, EverythingBecomesASolid) {
         const std::string name = damage.name + ", strategy " +
                                  std::to_string(static_cast<int>(options.strategy)) +
                                  ", threshold " + std::to_string(threshold);
+        // The random triangles meet themselves everywhere, which takes a minute with sanitizers.
+        if (check::kSanitized && damage.name == "random triangles" && threshold == 0) continue;
         BuildOptions asked = options;
         asked.winding_threshold = threshold;
         const Mesh out = extract_sound(build_grid(damage.mesh, asked), name);

@@ -91,7 +91,8 @@ TEST_P(OpenShapes, AreManifoldsOnAnyGrid) {
         const Grid grid = build_grid(GetParam().mesh, options);
         ASSERT_NO_THROW(validate(grid.data()));
         for (const bool quads : {false, true}) {
-          const ExtractedMesh out = check::extract_any(grid, {.quads = quads});
+          const ExtractedMesh out = check::extract_any(
+              grid, {.quads = quads, .strict = quads ? Strict::kManifold : check::kSweepStrict});
           if (out.triangles.empty() && out.quads.empty()) continue;  // a coarse grid may miss it
           ASSERT_TRUE(check::is_manifold(out)) << GetParam().name << ", depth " << depth;
           EXPECT_EQ(out.report.boundary_loops,
@@ -194,7 +195,7 @@ TEST(Sheet, RandomSoupIsAManifoldWhateverTheGrid) {
       }
       const Grid grid = build_grid(mesh, options);
       ASSERT_NO_THROW(validate(grid.data())) << "seed " << seed;
-      const ExtractedMesh out = check::extract_any(grid);
+      const ExtractedMesh out = check::extract_any(grid, {.strict = check::kSweepStrict});
       if (out.triangles.empty()) continue;
       ASSERT_TRUE(check::is_manifold(out)) << "seed " << seed;
       const MeshReport report = describe(out);

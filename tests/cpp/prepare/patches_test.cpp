@@ -8,6 +8,7 @@
 #include "geometry/triangle.h"
 #include "mesh/topology.h"
 #include "support/mesh_check.h"
+#include "support/sanitized.h"
 #include "support/shapes.h"
 
 namespace kdm {
@@ -121,7 +122,8 @@ TEST(Patches, CracksGetNarrowOnes) {
 TEST(Patches, ManyRoundsTakeNoLongTime) {
   std::vector<Mesh> nested;
   std::vector<Mesh> beside;
-  for (int i = 0; i < 5000; ++i) {
+  const int rounds = check::kSanitized ? 1500 : 5000;
+  for (int i = 0; i < rounds; ++i) {
     nested.push_back(wall(i, 20000 - i, 1, i % 2 == 1));
     beside.push_back(wall(3 * i + 1, 3 * i + 2, 1, true));
   }
@@ -130,7 +132,9 @@ TEST(Patches, ManyRoundsTakeNoLongTime) {
   patched(shapes::merged(beside));
 }
 
-TEST(Patches, OneLargeRoundTakesNoLongTime) { patched(wall(0, 1, 25000, false)); }
+TEST(Patches, OneLargeRoundTakesNoLongTime) {
+  patched(wall(0, 1, check::kSanitized ? 4000 : 25000, false));
+}
 
 }  // namespace
 }  // namespace kdm

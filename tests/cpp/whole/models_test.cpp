@@ -70,8 +70,14 @@ INSTANTIATE_TEST_SUITE_P(Shapes, Model, testing::ValuesIn(shapes::all_shapes()),
 
 TEST_P(Model, IsTwoManifoldWhateverTheOptions) {
   const Mesh& input = GetParam().mesh;
+  // What meets itself in thousands of places takes ten times as long as all others.
+  const bool crosses = GetParam().name == "tetrahedra_soup" ||
+                       GetParam().name == "integer_tetrahedra" ||
+                       GetParam().name == "collapsed_polyhedron";
   bool odd = false;
+  int number = 0;
   for (const BuildOptions& options : option_sets()) {
+    if (check::kSanitized && crosses && ++number % 4 != 0) continue;
     SCOPED_TRACE(text_of(options));
     const Grid grid = build_grid(input, options);
     ASSERT_NO_THROW(validate(grid.data()));
@@ -79,10 +85,8 @@ TEST_P(Model, IsTwoManifoldWhateverTheOptions) {
     odd = !odd;
     for (const bool quads : {false, true}) {
       if (check::kSanitized && quads == odd) continue;
-      // What meets itself in thousands of places takes minutes to be embedded with sanitizers on.
-      const Strict strict = check::kSanitized ? Strict::kManifold : Strict::kEmbedded;
-      const ExtractedMesh out =
-          check::extract_any(grid, {.quads = quads, .strict = quads ? Strict::kManifold : strict});
+      const ExtractedMesh out = check::extract_any(
+          grid, {.quads = quads, .strict = quads ? Strict::kManifold : check::kSweepStrict});
       ASSERT_EQ(out.source_faces.size(), out.triangles.size() + out.quads.size());
       ASSERT_LT(highest(out.source_faces), input.triangles.size());
       // So coarse a grid that the surface meets no edge of it gives no surface.
@@ -286,12 +290,14 @@ TEST(Models, RandomClosedMeshesAreTwoManifold) {
         shapes::random_tetrahedra(6, seed), shapes::integer_tetrahedra(8, 3, seed),
         shapes::random_voxels(3, 0.4, seed), shapes::collapsed_polyhedron(2, seed)};
     for (std::size_t i = 0; i < inputs.size(); ++i) {
+      // The last kind takes ten times as long as the others together.
+      if (i == 3 && seed % (check::kSanitized ? 8 : 4) != 0) continue;
       for (const SplitStrategy strategy :
            {SplitStrategy::kAdaptive, SplitStrategy::kOctree, SplitStrategy::kFeature,
             SplitStrategy::kMedian, SplitStrategy::kUniform}) {
         const Grid grid = build_grid(inputs[i], {.strategy = strategy, .depth = 9});
         ASSERT_NO_THROW(validate(grid.data())) << "seed " << seed << " kind " << i;
-        const ExtractedMesh out = check::extract_any(grid);
+        const ExtractedMesh out = check::extract_any(grid, {.strict = check::kSweepStrict});
         if (out.triangles.empty()) continue;
         ASSERT_TRUE(check::is_two_manifold(out))
             << "seed " << seed << " kind " << i << " strategy " << static_cast<int>(strategy);
