@@ -20,11 +20,6 @@ namespace {
 // them may lie off by more than one.
 constexpr double kApart = 2;
 
-// Returns whether cells are split until the result is within the tolerance.
-bool goes_by_tolerance(SplitStrategy strategy) {
-  return strategy != SplitStrategy::kUniform && strategy != SplitStrategy::kMedian;
-}
-
 Vec3 in_single_precision(const Vec3& p) { return p.cast<float>().cast<double>(); }
 
 // Decides body after body. A body is a part with the cavities in it.

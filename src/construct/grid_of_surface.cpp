@@ -61,7 +61,8 @@ std::unique_ptr<GridData> grid_of_surface(const Surface& surface, InsideModel& m
   count_stats(*grid);
   GridStats& stats = grid->stats;
   for (Vec3& p : stats.unresolved_positions) p = grid->lattice.to_model(p);
-  stats.topology_resolved = stats.topology_resolved && stats.guessed_faces == 0 && !surface.repair;
+  stats.topology_resolved = stats.topology_resolved && stats.guessed_faces == 0 &&
+                            !surface.repair && surface.report.rebuilt_parts == 0;
   report_progress(progress, 1.0, "link");
   return grid;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "csg/solidify.h"
 #include "kdmanifold/error.h"
 #include "kdmanifold/thicken.h"
 #include "text/compose.h"
@@ -44,21 +45,6 @@ Mesh transformed(const Mesh& mesh, const Transform& transform) {
   return result;
 }
 
-// Builds the surface by itself.
-InputFaces solidified(const Mesh& mesh, const BuildOptions& options, double extent,
-                      const Progress& progress) {
-  BuildOptions finer = options;
-  finer.tolerance = 0.5 * tolerance_of(options, extent);
-  const Grid grid = build_grid(mesh, finer, progress);
-  Mesh solid = extract(grid);
-  for (Index& face : solid.source_faces) {
-    if (face == kNone) face = kPatch;
-  }
-  InputFaces faces = prepare_faces(solid, {.inside = InsideRule::kPositive});
-  faces.report = grid.input();
-  return faces;
-}
-
 SolidFaces prepare(const Operand& operand, Index number, const BuildOptions& options,
                    const Progress& progress) {
   BuildOptions own = options;
@@ -70,9 +56,7 @@ SolidFaces prepare(const Operand& operand, Index number, const BuildOptions& opt
   if (options.thicken > 0 && options.thicken_what == ThickenWhat::kAll)
     mesh = thicken(mesh, std::exchange(own.thicken, 0));
   SolidFaces solid{prepare_faces(mesh, own), own.inside, number};
-  if (solid.faces.repair) {
-    solid.faces = solidified(mesh, own, solid.faces.report.extent, progress);
-  }
+  if (solid.faces.repair) solidify_open_parts(solid.faces, own, progress);
   if (solid.inside == InsideRule::kRepair) solid.inside = InsideRule::kPositive;
   return solid;
 }

@@ -41,6 +41,12 @@ class Parting {
     }
   }
 
+  void drop_invented(double most) {
+    for (Part& part : parts_) {
+      part.keep = part.invented_area <= most * (part.measure.area - part.invented_area);
+    }
+  }
+
   void choose(Parts wanted, KeptParts& kept) {
     if (wanted == Parts::kAll || parts_.empty()) return;
     const std::vector<Index> depth = depths();
@@ -158,6 +164,11 @@ Mesh filtered(const Mesh& mesh, const Keeps& keeps) {
   return out;
 }
 
+void keep_only(const Parting& parting, Mesh& mesh) {
+  if (parting.keeps_all()) return;
+  mesh = filtered(mesh, [&](Index face) { return parting.keeps(face); });
+}
+
 }  // namespace
 
 KeptParts keep_parts(Parts wanted, double tolerance, Mesh& mesh) {
@@ -169,10 +180,14 @@ KeptParts keep_parts(Parts wanted, double tolerance, Mesh& mesh) {
   parting.drop_crumbs(tolerance, kept);
   parting.choose(wanted, kept);
   kept.invented_area = parting.invented_area();
-  if (!parting.keeps_all()) {
-    mesh = filtered(mesh, [&](Index face) { return parting.keeps(face); });
-  }
+  keep_only(parting, mesh);
   return kept;
+}
+
+void drop_invented_parts(double most, Mesh& mesh) {
+  Parting parting(mesh);
+  parting.drop_invented(most);
+  keep_only(parting, mesh);
 }
 
 }  // namespace kdm

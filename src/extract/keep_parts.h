@@ -20,4 +20,8 @@ struct KeptParts {
 /// times the tolerance.
 KeptParts keep_parts(Parts wanted, double tolerance, Mesh& mesh);
 
+/// Removes the parts of a closed, oriented mesh that have more than `most` times as much area of
+/// faces that close holes as of other faces.
+void drop_invented_parts(double most, Mesh& mesh);
+
 }  // namespace kdm

@@ -41,13 +41,21 @@ void warn_of_losses(const InputReport& input, const ExtractReport& report, Colle
   }
 }
 
-void warn_of_exactness(const GridStats& grid, const ExtractReport& report, Collector& to) {
+void warn_of_exactness(const InputReport& input, const GridStats& grid, const ExtractReport& report,
+                       Collector& to) {
   if (grid.asked_tolerance > 0 && grid.tolerance > kWider * grid.asked_tolerance) {
     to.add(
         "TOLERANCE_WIDENED",
         compose("the tolerance was widened from {} to {}, since the surface crosses itself in too "
                 "many places",
                 rounded(grid.asked_tolerance), rounded(grid.tolerance)));
+  }
+  if (input.rebuilt_parts > 0 && input.rebuilding_tolerance > kWider * grid.asked_tolerance) {
+    to.add("TOLERANCE_WIDENED",
+           compose("the tolerance was widened from {} to {} for {}, which cross themselves or each "
+                   "other in too many places",
+                   rounded(grid.asked_tolerance), rounded(input.rebuilding_tolerance),
+                   count(input.rebuilt_parts, "open part", "open parts")));
   }
   if (grid.thin_parts > 0) {
     to.add("THIN_PARTS",
@@ -109,7 +117,7 @@ std::vector<Warning> collect_warnings(const InputReport& input, const GridStats&
                                       const ExtractReport& report, double area) {
   Collector to;
   warn_of_losses(input, report, to);
-  warn_of_exactness(grid, report, to);
+  warn_of_exactness(input, grid, report, to);
   warn_of_repair(input, grid, report, area, to);
   return to.take();
 }

@@ -2,8 +2,8 @@
 // Puts the steps together, and says what holds for the whole.
 #include "kdmanifold/make_manifold.h"
 
-#include "construct/build_grid.h"
 #include "csg/build_csg_grid.h"
+#include "csg/build_grid.h"
 #include "extract/warnings.h"
 #include "kdmanifold/error.h"
 #include "kdmanifold/options.h"

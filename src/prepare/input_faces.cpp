@@ -89,7 +89,7 @@ void cancel_opposite_faces(InputFaces& faces) {
   const Marks cancelled =
       find_opposite_pairs(faces.triangles, static_cast<Index>(faces.points.size()), faces.topology);
   if (!cancelled.any()) return;
-  faces.report.cancelled_faces = drop_faces(faces, cancelled);
+  faces.report.cancelled_faces += drop_faces(faces, cancelled);
   if (faces.triangles.empty()) {
     throw Error(ErrorCode::kNotClosed,
                 "the surface encloses nothing: the faces of the mesh cancel, each lies back to "
@@ -103,7 +103,7 @@ void drop_copies(InputFaces& faces) {
   const Marks copies =
       find_copies(faces.triangles, static_cast<Index>(faces.points.size()), faces.topology);
   if (!copies.any()) return;
-  faces.report.duplicate_faces = drop_faces(faces, copies);
+  faces.report.duplicate_faces += drop_faces(faces, copies);
   find_topology(faces);
 }
 
@@ -130,13 +130,20 @@ void make_closed(InputFaces& faces, const BuildOptions& options) {
     repair_faces(faces, options, tolerance_of(options, faces.report.extent));
     if (faces.repair) return;
   }
-  cancel_opposite_faces(faces);
-  if (!repair) return;
-  drop_copies(faces);
-  turn_inverted_parts(faces);
+  if (repair) {
+    tidy_closed_parts(faces);
+  } else {
+    cancel_opposite_faces(faces);
+  }
 }
 
 }  // namespace
+
+void tidy_closed_parts(InputFaces& faces) {
+  cancel_opposite_faces(faces);
+  drop_copies(faces);
+  turn_inverted_parts(faces);
+}
 
 InputFaces prepare_faces(const Mesh& mesh, const BuildOptions& options) {
   if (mesh.positions.empty()) throw Error(ErrorCode::kInvalidMesh, "the mesh has no vertices");

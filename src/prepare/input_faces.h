@@ -15,6 +15,11 @@ inline double tolerance_of(const BuildOptions& options, double extent) {
   return options.tolerance > 0 ? options.tolerance : options.relative_tolerance * extent;
 }
 
+/// Returns whether cells are split until the result is within the tolerance.
+inline bool goes_by_tolerance(SplitStrategy strategy) {
+  return strategy != SplitStrategy::kUniform && strategy != SplitStrategy::kMedian;
+}
+
 /// Checks the mesh and turns it into welded triangles. Of the options, the inside rule, the
 /// tolerance and the largest hole count.
 ///
@@ -27,5 +32,9 @@ inline double tolerance_of(const BuildOptions& options, double extent) {
 /// and `kNotClosed` (the input is open under a rule that accepts closed input only, or has holes
 /// too wide to be closed).
 InputFaces prepare_faces(const Mesh& mesh, const BuildOptions& options);
+
+/// Does what is left to do under the rule `kRepair` once all parts are closed: faces that lie back
+/// to back and copies of parts are left out, and parts that are inside out are turned.
+void tidy_closed_parts(InputFaces& faces);
 
 }  // namespace kdm

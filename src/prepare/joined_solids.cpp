@@ -147,6 +147,9 @@ InputReport sum_of(std::span<const InputReport> reports) {
     sum.lost_parts += r.lost_parts;
     sum.lost_area += r.lost_area;
     sum.largest_lost = std::max(sum.largest_lost, r.largest_lost);
+    sum.thickened_parts += r.thickened_parts;
+    sum.rebuilt_parts += r.rebuilt_parts;
+    sum.rebuilding_tolerance = std::max(sum.rebuilding_tolerance, r.rebuilding_tolerance);
     sum.sewing_distance = std::max(sum.sewing_distance, r.sewing_distance);
     sum.stray_parts += r.stray_parts;
   }

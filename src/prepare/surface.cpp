@@ -104,8 +104,7 @@ void find_planes(const InputFaces& faces, const std::vector<Vec3>& exact, Surfac
 
 }  // namespace
 
-Surface prepare_surface(const Mesh& mesh, const BuildOptions& options) {
-  InputFaces faces = prepare_faces(mesh, options);
+Surface prepare_surface(InputFaces faces, const BuildOptions& options) {
   const Lattice lattice = lattice_over(faces.bounds);
   return surface_of(std::move(faces), lattice, options.inside == InsideRule::kSheet);
 }

@@ -44,12 +44,18 @@ struct Surface {
   bool has_rims() const { return sheet || repair; }
 };
 
+/// Rounds prepared faces to a lattice that holds them, and turns a solid that is inside out.
+Surface surface_of(InputFaces faces, const Lattice& lattice, bool sheet);
+
+/// Rounds prepared faces to the lattice over them. The inside rule of the options says whether they
+/// are a sheet.
+Surface prepare_surface(InputFaces faces, const BuildOptions& options);
+
 /// Checks the mesh, prepares its faces for the inside rule of the options (see
 /// prepare/input_faces.h), rounds them to the lattice and turns a solid that is inside out. Throws
 /// `kInvalidMesh` and `kNotClosed`. Takes time linear in the number of faces, apart from sorting.
-Surface prepare_surface(const Mesh& mesh, const BuildOptions& options = {});
-
-/// Rounds prepared faces to a lattice that holds them, and turns a solid that is inside out.
-Surface surface_of(InputFaces faces, const Lattice& lattice, bool sheet);
+inline Surface prepare_surface(const Mesh& mesh, const BuildOptions& options = {}) {
+  return prepare_surface(prepare_faces(mesh, options), options);
+}
 
 }  // namespace kdm

@@ -49,9 +49,9 @@ export interface BuildOptions {
   inside?: 'repair' | 'positive' | 'odd' | 'nonzero' | 'sheet';
   /**
    * `repair`: winding numbers above this are inside, from 0 to below 1. Above 0 there are no
-   * patches. Lower values close wider gaps, and let what bulges over the gaps bulge further. 0, the
-   * default: patches close holes; where that does not do, what keeps most of the input's area, at
-   * most 0.5.
+   * patches, and it holds for closed parts as well. Lower values close wider gaps, and let what
+   * bulges over the gaps bulge further. 0, the default: patches close holes; for parts that these
+   * do not close, what keeps most of their area, at most 0.5.
    */
   windingThreshold?: number;
   /**

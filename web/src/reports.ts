@@ -55,6 +55,13 @@ export interface InputReport {
   /** `repair`: parts that bound nothing and were given a thickness. */
   thickenedParts: number;
   /**
+   * `repair`: parts that neither sewing nor patches close, beside others that are closed; they were
+   * built by themselves.
+   */
+  rebuiltParts: number;
+  /** `repair`: what the tolerance was for these parts. In model units. */
+  rebuildingTolerance: number;
+  /**
    * `repair`: distance up to which boundary edges were joined: the tolerance, or more where most of
    * them lie further from their partners; 0 if none was joined. In model units.
    */

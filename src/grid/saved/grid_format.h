@@ -10,15 +10,15 @@
 //   lattice  4 f64     origin x, y, z; step
 //            3 f64     tolerance; winding threshold, 0: none; tolerance asked for, in model
 //                      units
-//   reports  16 n      of the input: vertices, triangles, boundary edges, non-manifold edges,
+//   reports  17 n      of the input: vertices, triangles, boundary edges, non-manifold edges,
 //                      boundary loops, degenerate, cancelled and duplicate faces, sewn edges,
-//                      turned faces and parts, components, patched holes, lost, stray and thickened
-//                      parts
+//                      turned faces and parts, components, patched holes, lost, stray, thickened
+//                      and rebuilt parts
 //            4 n       of the grid: unresolved leaves, guessed faces, exact and thin parts
 //            u8        1: input closed, 2: input flipped, 4: topology resolved, 8: a sheet's grid,
 //                      16: the input's nesting is known, 32: of several operands, 64: simplified
-//            5 f64     of the input: area of patches and of lost parts, of the largest lost one,
-//                      sewing distance, extent
+//            6 f64     of the input: area of patches and of lost parts, of the largest lost one,
+//                      sewing distance, rebuilding tolerance, extent
 //            only if simplified: f64  how far its surface may have moved, above 0
 //   sizes    n, n      splits, hits
 //   cells    a split: n  8 (3 z + axis) + 4 stray + 2 (upper child is split) + (lower child is

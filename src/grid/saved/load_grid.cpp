@@ -90,6 +90,7 @@ class GridReader {
                          &input.lost_parts,
                          &input.stray_parts,
                          &input.thickened_parts,
+                         &input.rebuilt_parts,
                          &grid_.stats.unresolved_leaves,
                          &grid_.stats.guessed_faces,
                          &grid_.stats.exact_parts,
@@ -109,7 +110,7 @@ class GridReader {
     several_operands_ = (flags & format::kSeveralOperands) != 0;
     input.nesting_known = (flags & format::kNestingKnown) != 0;
     for (double* measure : {&input.patch_area, &input.lost_area, &input.largest_lost,
-                            &input.sewing_distance, &input.extent}) {
+                            &input.sewing_distance, &input.rebuilding_tolerance, &input.extent}) {
       *measure =
           take_real(bytes_, 0, std::numeric_limits<double>::max(), "a measure of the report");
     }

@@ -68,6 +68,7 @@ class GridWriter {
                               input.lost_parts,
                               input.stray_parts,
                               input.thickened_parts,
+                              input.rebuilt_parts,
                               grid_.stats.unresolved_leaves,
                               grid_.stats.guessed_faces,
                               grid_.stats.exact_parts,
@@ -83,7 +84,7 @@ class GridWriter {
             (grid_.operands.empty() ? 0 : format::kSeveralOperands) |
             (grid_.simplified > 0 ? format::kSimplified : 0)));
     for (const double measure : {input.patch_area, input.lost_area, input.largest_lost,
-                                 input.sewing_distance, input.extent}) {
+                                 input.sewing_distance, input.rebuilding_tolerance, input.extent}) {
       append_f64(out_, measure);
     }
     if (grid_.simplified > 0) append_f64(out_, grid_.simplified);

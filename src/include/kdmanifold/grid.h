@@ -49,6 +49,10 @@ struct InputReport {
   double lost_area = 0;
   double largest_lost = 0;
   Index thickened_parts = 0;  ///< `kRepair`: parts that bound nothing and were given a thickness
+  /// `kRepair`: parts that neither sewing nor patches close, beside others that are closed; they
+  /// were built by themselves, with what the tolerance was for them, in model units.
+  Index rebuilt_parts = 0;
+  double rebuilding_tolerance = 0;
   /// `kRepair`: the distance up to which boundary edges were joined, in model units: the tolerance,
   /// or more where most of them lie further from their partners; 0 if none was joined.
   double sewing_distance = 0;

@@ -191,10 +191,11 @@ void for_each_field(Options& options, Visit&& visit) {
   visit(OptionField{.name = "winding_threshold",
                     .letter = "W",
                     .help = "`repair`: winding numbers above this are inside",
-                    .zero = "patches close holes; where that does not do, what keeps most of the "
-                            "input's area, at most 0.5",
-                    .details = "Above 0 there are no patches. Lower values close wider gaps, and "
-                               "let what bulges over the gaps bulge further.",
+                    .zero = "patches close holes; for parts that these do not close, what keeps "
+                            "most of their area, at most 0.5",
+                    .details = "Above 0 there are no patches, and it holds for closed parts as "
+                               "well. Lower values close wider gaps, and let what bulges over the "
+                               "gaps bulge further.",
                     .range = {.most = 1, .most_excluded = true}},
         options.winding_threshold);
   visit(OptionField{.name = "largest_hole",

@@ -81,6 +81,13 @@ void for_each_field(Report& report, Visit&& visit) {
   visit(ReportField{"thickened_parts",
                     "`repair`: parts that bound nothing and were given a thickness"},
         report.thickened_parts);
+  visit(ReportField{"rebuilt_parts",
+                    "`repair`: parts that neither sewing nor patches close, beside others that are "
+                    "closed; they were built by themselves"},
+        report.rebuilt_parts);
+  visit(ReportField{"rebuilding_tolerance", "`repair`: what the tolerance was for these parts",
+                    Unit::kModelUnits},
+        report.rebuilding_tolerance);
   visit(ReportField{"sewing_distance",
                     "`repair`: distance up to which boundary edges were joined: the tolerance, or "
                     "more where most of them lie further from their partners; 0 if none was joined",

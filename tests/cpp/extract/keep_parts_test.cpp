@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "kdmanifold/build.h"
 #include "support/mesh_check.h"
 #include "support/shapes.h"
@@ -75,6 +77,22 @@ TEST(KeepParts, CrumbsHaveAnInventedFace) {
     EXPECT_EQ(mesh.source_faces.size(), mesh.triangles.size());
     EXPECT_DOUBLE_EQ(kept.invented_area, 0.5);
   }
+}
+
+TEST(KeepParts, PartsThatAreMostlyInventedAreDropped) {
+  Mesh mesh = shapes::merged({shapes::cube(), shapes::translated(shapes::cube(), Vec3(2, 0, 0))});
+  mesh.source_faces.assign(mesh.triangles.size(), 7);
+  for (std::size_t t = 0; t < 5; ++t) mesh.source_faces[t] = kNone;    // 5 of 7
+  for (std::size_t t = 12; t < 18; ++t) mesh.source_faces[t] = kNone;  // 6 of 6
+  Mesh kept = mesh;
+  drop_invented_parts(1, kept);
+  EXPECT_EQ(kept.triangles.size(), 24u);
+  drop_invented_parts(0.8, kept);
+  EXPECT_EQ(kept.triangles.size(), 12u);
+  EXPECT_EQ(kept.source_faces.size(), 12u);
+  EXPECT_EQ(std::count(kept.source_faces.begin(), kept.source_faces.end(), kNone), 5);
+  drop_invented_parts(0.7, kept);
+  EXPECT_TRUE(kept.triangles.empty());
 }
 
 }  // namespace

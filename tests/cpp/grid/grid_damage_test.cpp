@@ -202,11 +202,11 @@ TEST(GridDamage, HostileNumbersAreRefused) {
   const std::size_t flags_at = kReportsAt + [&] {
     std::size_t numbers = 0;
     std::size_t at = kReportsAt;
-    for (; numbers < 20; ++at) numbers += sound[at] < 0x80 ? 1 : 0;
+    for (; numbers < 21; ++at) numbers += sound[at] < 0x80 ? 1 : 0;
     return at - kReportsAt;
   }();
   expect_after([&](Bytes& b) { b[flags_at] = 128; }, "no such flags");
-  const std::size_t sizes_at = flags_at + 1 + 5 * 8;  // five measures follow the flags
+  const std::size_t sizes_at = flags_at + 1 + 6 * 8;  // six measures follow the flags
   expect_after(
       [&](Bytes& b) {
         b[flags_at] |= 64;

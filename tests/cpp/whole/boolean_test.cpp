@@ -246,6 +246,24 @@ TEST(Boolean, OperandsMayBeBroken) {
     EXPECT_EQ(result.operands[0].triangles, broken->triangles.size());
   }
   EXPECT_FALSE(boolean(difference(0, 1), {open, bar}).operands[0].closed);
+  // Scraps that only winding numbers close, whatever the options are.
+  std::vector<Mesh> scraps;
+  const Mesh coarse = shapes::icosphere(2, 1);
+  for (const Triangle& t : coarse.triangles) {
+    Mesh scrap;
+    scrap.positions = coarse.positions;
+    scrap.triangles = {t};
+    const double by = scraps.size() % 2 == 0 ? 0.1 : 0;
+    scraps.push_back(shapes::translated(scrap, by * coarse.positions[t[0]]));
+  }
+  for (const SplitStrategy strategy : {SplitStrategy::kAdaptive, SplitStrategy::kUniform}) {
+    BuildOptions build{.strategy = strategy};
+    if (strategy == SplitStrategy::kAdaptive) build.relative_tolerance = 0.0008;
+    const BooleanMesh result = boolean(difference(0, 1), {shapes::merged(scraps), bar}, build);
+    EXPECT_TRUE(check::is_two_manifold(result));
+    EXPECT_GT(check::check_mesh(result).volume, 0.8 * rest);
+    EXPECT_GT(result.operands[0].rebuilt_parts, 100u);
+  }
   EXPECT_TRUE(boolean(difference(0, 1), {inverted, bar}).operands[0].flipped);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Turns a mesh into a grid.
-#include "construct/build_grid.h"
+#include "csg/build_grid.h"
 
 #include <array>
 #include <new>
@@ -8,11 +8,13 @@
 
 #include "construct/exact_parts.h"
 #include "construct/grid_of_surface.h"
+#include "csg/solidify.h"
 #include "inside/make_inside_model.h"
 #include "kdmanifold/error.h"
 #include "kdmanifold/options.h"
 #include "kdmanifold/thicken.h"
 #include "mesh/progress.h"
+#include "prepare/input_faces.h"
 #include "prepare/surface.h"
 #include "text/compose.h"
 
@@ -41,14 +43,22 @@ Grid build_grid_within(const Mesh& mesh, const BuildOptions& options, double sha
   check_options(options);
   report_progress(progress, 0.0, "prepare");
   const bool thickens_all = options.thicken > 0 && options.thicken_what == ThickenWhat::kAll;
-  Surface surface = thickens_all ? prepare_surface(thicken(mesh, options.thicken), options)
-                                 : prepare_surface(mesh, options);
+  InputFaces faces = prepare_faces(thickens_all ? thicken(mesh, options.thicken) : mesh, options);
+  double threshold = 0;
+  if (faces.repair && options.winding_threshold == 0 && goes_by_tolerance(options.strategy) &&
+      some_part_is_closed(faces)) {
+    threshold = solidify_open_parts(faces, options, part_of_progress(progress, 0, 0.1));
+  }
+  Surface surface = prepare_surface(std::move(faces), options);
   check_thickness(options.thicken, surface.lattice.step);
   const double tolerance = share * lattice_tolerance(surface, options);
   SolidStates states(SolidFunction(0, std::array<Index, 1>{0}), {options.inside});
   ExactParts exact = take_exact_parts(surface, states, options);
   const std::unique_ptr<InsideModel> model = make_inside_model(surface, options, tolerance);
-  return Grid(grid_of_surface(surface, *model, options, tolerance, std::move(exact), progress));
+  std::unique_ptr<GridData> grid =
+      grid_of_surface(surface, *model, options, tolerance, std::move(exact), progress);
+  if (threshold > 0) grid->stats.winding_threshold = threshold;
+  return Grid(std::move(grid));
 } catch (const std::bad_alloc&) {
   throw Error(ErrorCode::kOutOfMemory, "there is not enough memory to build the grid");
 }
