@@ -208,7 +208,7 @@ TEST(WindingOracle, CracksLeaveNoTrace) {
 TEST(WindingOracle, ATornSphereIsASphere) {
   const Mesh intact = shapes::icosphere(3);
   const Mesh torn = shapes::jittered(shapes::soup(intact), 0.02, 9);
-  const Grid grid = build_grid(torn, {.tolerance = 0.0005});
+  const Grid grid = build_grid(torn, {.tolerance = check::kSanitized ? 0.002 : 0.0005});
   EXPECT_EQ(grid.input().sewing_distance, 0);
   EXPECT_GT(grid.stats().invented_hits, 0u);
   const Mesh out = extract_sound(grid, "torn");

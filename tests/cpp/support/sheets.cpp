@@ -161,6 +161,13 @@ constexpr int kSteps = 4;  // along an edge
 }  // namespace
 
 double distance_to(const Mesh& from, const Mesh& to) {
+  std::vector<std::pair<Vec3, Vec3>> boxes;  // of the faces, to pass over what lies further away
+  for (const auto& [a, b, c] : to.triangles) {
+    const Vec3& p = to.positions[a];
+    const Vec3& q = to.positions[b];
+    const Vec3& r = to.positions[c];
+    boxes.emplace_back(p.cwiseMin(q).cwiseMin(r), p.cwiseMax(q).cwiseMax(r));
+  }
   double largest = 0;
   for (const Triangle& t : from.triangles) {
     for (int i = 0; i <= kSteps; ++i) {
@@ -170,7 +177,10 @@ double distance_to(const Mesh& from, const Mesh& to) {
         const Vec3 p = (1 - u - v) * from.positions[t[0]] + u * from.positions[t[1]] +
                        v * from.positions[t[2]];
         double least = std::numeric_limits<double>::infinity();
-        for (const auto& [a, b, c] : to.triangles) {
+        for (std::size_t f = 0; f < boxes.size() && least > largest; ++f) {
+          const auto& [lo, hi] = boxes[f];
+          if ((lo - p).cwiseMax(p - hi).cwiseMax(0).norm() >= least) continue;
+          const auto& [a, b, c] = to.triangles[f];
           least = std::min(
               least, distance_to_triangle(p, to.positions[a], to.positions[b], to.positions[c]));
         }

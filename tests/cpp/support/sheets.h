@@ -36,7 +36,7 @@ std::vector<OpenShape> open_shapes();
 namespace kdm::check {
 
 /// Returns the largest distance of points all over `from`, its rim included, to the faces of `to`.
-/// It compares every point with every face.
+/// It compares every point with every face that may be the nearest one.
 double distance_to(const Mesh& from, const Mesh& to);
 /// Returns the largest distance of points on the rim of `from` to the rim of `to`.
 double rim_distance_to(const Mesh& from, const Mesh& to);
