@@ -210,14 +210,20 @@ TEST_F(Cli, ReportHasTheDocumentedKeys) {
   }
   EXPECT_EQ(json["lost"]["area"], 0);
   EXPECT_EQ(json["lost"]["faces"], 0);
-  EXPECT_EQ(keys(json["input"]),
-            (Names{"vertices",       "triangles",        "closed",          "boundaryEdges",
-                   "boundaryLoops",  "nonManifoldEdges", "degenerateFaces", "cancelledFaces",
-                   "duplicateFaces", "sewnEdges",        "turnedFaces",     "turnedParts",
-                   "nestingKnown",   "components",       "patchedHoles",    "patchArea",
-                   "lostParts",      "lostArea",         "largestLost",     "thickenedParts",
-                   "sewingDistance", "strayParts",       "extent",          "flipped",
-                   "latticeStep"}));
+  EXPECT_EQ(keys(json["input"]), (Names{"vertices",        "triangles",
+                                        "closed",          "boundaryEdges",
+                                        "boundaryLoops",   "nonManifoldEdges",
+                                        "degenerateFaces", "cancelledFaces",
+                                        "duplicateFaces",  "sewnEdges",
+                                        "turnedFaces",     "turnedParts",
+                                        "nestingKnown",    "components",
+                                        "patchedHoles",    "patchArea",
+                                        "lostParts",       "lostArea",
+                                        "largestLost",     "thickenedParts",
+                                        "rebuiltParts",    "rebuildingTolerance",
+                                        "sewingDistance",  "strayParts",
+                                        "extent",          "flipped",
+                                        "latticeStep"}));
   EXPECT_EQ(keys(json["grid"]),
             (Names{"cells", "leaves", "hits", "depth", "sheet", "bytes", "askedTolerance",
                    "tolerance", "windingThreshold", "topologyResolved", "unresolvedLeaves",
