@@ -9,6 +9,7 @@
 #include "prepare/inverted_parts.h"
 #include "support/mesh_check.h"
 #include "support/random_meshes.h"
+#include "support/sanitized.h"
 #include "support/shapes.h"
 
 namespace kdm {
@@ -170,7 +171,7 @@ TEST(InvertedParts, ExplicitRulesTurnNoPart) {
 // Blocks of voxels touch along edges and at corners in every way, and have cavities; as they are
 // turned outwards, nothing may be turned.
 TEST(InvertedParts, VoxelsStayAsTheyAre) {
-  for (std::uint32_t seed = 0; seed < 300; ++seed) {
+  for (std::uint32_t seed = 0; seed < (check::kSanitized ? 60 : 300); ++seed) {
     const Mesh mesh = shapes::random_voxels(3 + seed % 3, 0.3 + 0.1 * (seed % 6), seed);
     if (mesh.triangles.empty()) continue;
     const Grid grid = build_grid(mesh, {.tolerance = 0.01});
