@@ -31,9 +31,8 @@ constexpr double kMostInvented = 0.5;
 
 // Parts, joined by sides that are opposite to each other.
 struct FaceParts {
-  std::vector<Index> of;     // per triangle
-  Marks open;                // per part: a side has no opposite
-  std::vector<double> area;  // per part
+  std::vector<Index> of;  // per triangle
+  Marks open;             // per part: a side has no opposite
 
   bool open_triangle(TriangleId t) const { return open.test(of[t]); }
 };
@@ -47,12 +46,6 @@ FaceParts parts_of(const InputFaces& faces) {
   for (SideId side = 0; side < faces.topology.opposite.size(); ++side) {
     if (faces.topology.opposite[side] == kNone) parts.open.set(parts.of[triangle_of(side)]);
   }
-  std::vector<Measure> measures(count);
-  for (TriangleId t = 0; t < faces.triangles.size(); ++t) {
-    const auto& [a, b, c] = faces.triangles[t];
-    measures[parts.of[t]].add(faces.points[a], faces.points[b], faces.points[c]);
-  }
-  for (const Measure& measure : measures) parts.area.push_back(measure.area);
   return parts;
 }
 
@@ -135,11 +128,17 @@ void count_parts(const OpenMesh& open, const FaceParts& parts, const InputFaces&
   report.rebuilt_parts = count;
   if (count == parts.open.count()) return;
   const Marks uncovered = find_uncovered(open, parts.open.size(), faces);
+  std::vector<Measure> measures(parts.open.size());
+  for (std::size_t t = 0; t < open.part_of.size(); ++t) {
+    const auto& [a, b, c] = open.mesh.triangles[t];
+    const std::vector<Vec3>& points = open.mesh.positions;
+    measures[open.part_of[t]].add(points[a], points[b], points[c]);
+  }
   for (Index part = 0; part < parts.open.size(); ++part) {
     if (!parts.open.test(part) || built.test(part) || !uncovered.test(part)) continue;
     ++report.lost_parts;
-    report.lost_area += parts.area[part];
-    report.largest_lost = std::max(report.largest_lost, parts.area[part]);
+    report.lost_area += measures[part].area;
+    report.largest_lost = std::max(report.largest_lost, measures[part].area);
   }
 }
 

@@ -20,8 +20,6 @@
 namespace kdm {
 namespace {
 
-using shapes::box;
-
 Mesh square_at(const Vec3& centre, const Vec3& axis, double angle, double half) {
   Mesh mesh;
   mesh.positions = {Vec3(-half, -half, 0), Vec3(half, -half, 0), Vec3(half, half, 0),
