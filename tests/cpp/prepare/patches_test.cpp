@@ -133,7 +133,7 @@ TEST(Patches, ManyRoundsTakeNoLongTime) {
 }
 
 TEST(Patches, OneLargeRoundTakesNoLongTime) {
-  patched(wall(0, 1, check::kSanitized ? 3000 : 12000, false));
+  patched(wall(0, 1, check::kSanitized ? 3000 : 25000, false));
 }
 
 }  // namespace
