@@ -4,19 +4,11 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 
 #include "mesh/sort.h"
 
 namespace kdm {
 namespace {
-
-// Twice what rounding to single precision may change, as a share of the value.
-constexpr double kRounding = 0x1p-23;
-// More than that where numbers are too small to be rounded by a share.
-constexpr double kLeast = 0x1p-140;
-
-double rounding_of(double value) { return kRounding * std::abs(value) + kLeast; }
 
 // Spreads the lowest ten bits so that two zeros follow each.
 std::uint32_t spread(std::uint32_t bits) {
@@ -53,36 +45,6 @@ std::vector<std::uint64_t> along_curve(const std::vector<SmallBox>& boxes) {
 }
 
 }  // namespace
-
-void SmallBox::grow(const Vec3& p) {
-  for (int axis = 0; axis < 3; ++axis) {
-    const double rounding = rounding_of(p[axis]);
-    min[axis] = std::min(min[axis], static_cast<float>(p[axis] - rounding));
-    max[axis] = std::max(max[axis], static_cast<float>(p[axis] + rounding));
-  }
-}
-
-void SmallBox::grow(const SmallBox& other) {
-  for (int axis = 0; axis < 3; ++axis) {
-    min[axis] = std::min(min[axis], other.min[axis]);
-    max[axis] = std::max(max[axis], other.max[axis]);
-  }
-}
-
-SmallBox small_box(const Vec3& a, const Vec3& b, const Vec3& c) {
-  SmallBox box;
-  box.grow(a);
-  box.grow(b);
-  box.grow(c);
-  return box;
-}
-
-SmallBox small_box(const Vec3& centre, double radius) {
-  SmallBox box;
-  box.grow(Vec3(centre.array() - radius));
-  box.grow(Vec3(centre.array() + radius));
-  return box;
-}
 
 TriangleTree::TriangleTree(std::vector<SmallBox> boxes) : boxes_(std::move(boxes)) {
   const std::vector<std::uint64_t> codes = along_curve(boxes_);

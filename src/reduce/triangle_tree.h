@@ -4,45 +4,14 @@
 // stay what they are.
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <limits>
 #include <utility>
 #include <vector>
 
 #include "mesh/numbers.h"
+#include "mesh/small_box.h"
 
 namespace kdm {
-
-/// A box in single precision, which is larger than what it was made for by a rounding error or two.
-struct SmallBox {
-  std::array<float, 3> min = {kFar, kFar, kFar};
-  std::array<float, 3> max = {-kFar, -kFar, -kFar};
-
-  static constexpr float kFar = std::numeric_limits<float>::infinity();
-
-  /// Widens the box so that it surely holds the point.
-  void grow(const Vec3& p);
-  void grow(const SmallBox& other);
-  bool meets(const SmallBox& other) const {
-    return min[0] <= other.max[0] && min[1] <= other.max[1] && min[2] <= other.max[2] &&
-           max[0] >= other.min[0] && max[1] >= other.min[1] && max[2] >= other.min[2];
-  }
-  double squared_distance(const Vec3& p) const {
-    double sum = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-      const double off = std::max({min[axis] - p[axis], p[axis] - max[axis], 0.0});
-      sum += off * off;
-    }
-    return sum;
-  }
-  bool operator==(const SmallBox&) const = default;
-};
-
-/// Returns the box round the points.
-SmallBox small_box(const Vec3& a, const Vec3& b, const Vec3& c);
-/// Returns the box that holds all points no further from `centre` than `radius`, and a little more.
-SmallBox small_box(const Vec3& centre, double radius);
 
 /// The tree. It keeps a box for each triangle.
 class TriangleTree {

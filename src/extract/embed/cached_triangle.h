@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <array>
 
-#include "kdmanifold/types.h"
+#include "mesh/small_box.h"
 
 namespace kdm {
 
@@ -14,10 +14,7 @@ class CachedTriangle {
  public:
   /// `numbers` are the numbers of the corners' vertices, `corners` their positions.
   CachedTriangle(const Triangle& numbers, const std::array<Vec3, 3>& corners)
-      : numbers_(numbers),
-        corners_(corners),
-        lo_(corners[0].cwiseMin(corners[1]).cwiseMin(corners[2])),
-        hi_(corners[0].cwiseMax(corners[1]).cwiseMax(corners[2])) {
+      : numbers_(numbers), corners_(corners), box_(small_box(corners[0], corners[1], corners[2])) {
     const Vec3 u = corners[1] - corners[0];
     const Vec3 v = corners[2] - corners[0];
     normal_ = u.cross(v);
@@ -27,6 +24,7 @@ class CachedTriangle {
 
   const Triangle& numbers() const { return numbers_; }
   const std::array<Vec3, 3>& corners() const { return corners_; }
+  const SmallBox& box() const { return box_; }
 
   /// Returns the vertex of a corner that both triangles have, or kNone.
   Index shared_corner(const Triangle& other) const {
@@ -36,15 +34,9 @@ class CachedTriangle {
     return kNone;
   }
 
-  /// Tells whether the boxes or this triangle's plane show that triangle (a, b, c), which shares no
-  /// corner with this one, does not meet it. A false answer says nothing.
+  /// Tells whether this triangle's plane shows that triangle (a, b, c), which shares no corner with
+  /// this one, does not meet it. A false answer says nothing.
   bool surely_apart(const Vec3& a, const Vec3& b, const Vec3& c) const {
-    for (int i = 0; i < 3; ++i) {
-      if ((a[i] > hi_[i] && b[i] > hi_[i] && c[i] > hi_[i]) ||
-          (a[i] < lo_[i] && b[i] < lo_[i] && c[i] < lo_[i])) {
-        return true;
-      }
-    }
     const int first = side(a);
     return first != 0 && side(b) == first && side(c) == first;
   }
@@ -60,8 +52,7 @@ class CachedTriangle {
 
   Triangle numbers_;
   std::array<Vec3, 3> corners_;
-  Vec3 lo_;
-  Vec3 hi_;
+  SmallBox box_;
   Vec3 normal_;
   double slack_;
 };

@@ -23,14 +23,18 @@ PairTest::PairTest(const GridView& view) : view_(view), scale_(scale_for(view.gr
 
 void PairTest::update(const DualMesh& mesh) {
   rounded_positions_.resize(mesh.position.size());
+  boxes_.resize(mesh.triangles());
   fan_was_tested_.assign(mesh.vertices());
   fan_is_simple_.assign(mesh.vertices());
 }
 
 void PairTest::read_corners(const DualMesh& mesh, TriangleId t) {
-  for (const VertexId v : corner_numbers(mesh, t)) {
+  const Triangle numbers = corner_numbers(mesh, t);
+  for (const VertexId v : numbers) {
     rounded_positions_[v] = scale_ * single_precision(view_.grid.lattice, mesh.position[v]);
   }
+  const auto [a, b, c] = corners(numbers);
+  boxes_[t] = small_box(a, b, c);
 }
 
 CachedTriangle PairTest::cached(const DualMesh& mesh, TriangleId t) const {
@@ -39,6 +43,7 @@ CachedTriangle PairTest::cached(const DualMesh& mesh, TriangleId t) const {
 }
 
 bool PairTest::meet(const DualMesh& mesh, const CachedTriangle& triangle, TriangleId other) {
+  if (!triangle.box().meets(boxes_[other])) return false;
   const Triangle numbers = corner_numbers(mesh, other);
   const VertexId shared = triangle.shared_corner(numbers);
   if (shared != kNone

@@ -10,6 +10,7 @@
 #include "extract/embed/cached_triangle.h"
 #include "geometry/fan.h"
 #include "mesh/marks.h"
+#include "mesh/small_box.h"
 
 namespace kdm {
 
@@ -51,6 +52,7 @@ class PairTest {
   GridView view_;
   double scale_;                         // makes the largest coordinate about one
   std::vector<Vec3> rounded_positions_;  // per vertex: as in the result, times the scale
+  std::vector<SmallBox> boxes_;          // per triangle
   Marks fan_was_tested_;                 // per vertex
   Marks fan_is_simple_;                  // per vertex whose fan was tested
   std::vector<OuterSide> outer_sides_;   // of the vertex that is looked at

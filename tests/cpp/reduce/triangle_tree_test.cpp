@@ -97,18 +97,5 @@ TEST(TriangleTree, HoldsNothing) {
       tree.any_meeting(small_box(Vec3::Zero(), 1), kNone, [](TriangleId) { return true; }));
 }
 
-TEST(SmallBox, IsNeverSmallerThanItsPoints) {
-  check::Random random(3);
-  for (int i = 0; i < 1000; ++i) {
-    const Vec3 p = random.point(-1, 1);
-    SmallBox box;
-    box.grow(p);
-    for (int axis = 0; axis < 3; ++axis) {
-      EXPECT_LE(box.min[axis], p[axis]);
-      EXPECT_GE(box.max[axis], p[axis]);
-    }
-  }
-}
-
 }  // namespace
 }  // namespace kdm
