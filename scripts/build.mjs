@@ -59,11 +59,13 @@ export function emscriptenEnvironment(libraries = '/usr/share/nodejs') {
 export const builders = {
   native() {
     setup('native');
-    cmake('build/native', ['CMAKE_BUILD_TYPE=Release'], { targets: ['kdmanifold_cli'] });
+    cmake('build/native', ['CMAKE_BUILD_TYPE=Release', 'KDM_UNITY=ON'], {
+      targets: ['kdmanifold_cli'],
+    });
   },
   wasm() {
     setup('wasm');
-    cmake('build/wasm', ['CMAKE_BUILD_TYPE=Release', 'KDM_BUILD_WASM=ON'], {
+    cmake('build/wasm', ['CMAKE_BUILD_TYPE=Release', 'KDM_UNITY=ON', 'KDM_BUILD_WASM=ON'], {
       wrapper: ['emcmake'],
       env: emscriptenEnvironment(),
       targets: ['kdm_wasm', 'kdm_wasm_tools'],

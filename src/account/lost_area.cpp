@@ -15,7 +15,7 @@
 namespace kdm {
 namespace {
 
-constexpr double kPoints = 16384;
+constexpr double kPointsOfInput = 16384;
 // Sides of small faces are twice as long as what counts as far, at most: this is the square.
 constexpr double kSmall = 4;
 
@@ -42,7 +42,7 @@ class Search {
 
   void run() {
     TriangleSet& input = both_.input;
-    Spread spread(both_.input_area / kPoints);
+    Spread spread(both_.input_area / kPointsOfInput);
     for (Index t = 0; t < input.size(); ++t) {
       const Vec3& a = input.corner(t, 0);
       const Vec3& b = input.corner(t, 1);

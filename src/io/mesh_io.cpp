@@ -13,6 +13,7 @@
 #include "kdmanifold/error.h"
 #include "mesh/check_indices.h"
 #include "text/compose.h"
+#include "text/lower_case.h"
 
 namespace kdm {
 namespace {
@@ -71,11 +72,8 @@ MeshFormat format_from_path(std::string_view path) {
   const std::size_t slash = path.find_last_of("/\\");
   const std::string_view file = slash == std::string_view::npos ? path : path.substr(slash + 1);
   const std::size_t dot = file.rfind('.');
-  std::string extension;
-  if (dot != std::string_view::npos) extension = file.substr(dot + 1);
-  for (char& c : extension) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
+  const std::string extension =
+      dot == std::string_view::npos ? "" : lower_case(file.substr(dot + 1));
   if (extension == "obj") return MeshFormat::kObj;
   if (extension == "stl") return MeshFormat::kStl;
   if (extension == "ply") return MeshFormat::kPly;

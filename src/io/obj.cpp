@@ -31,7 +31,7 @@ class ObjReader {
         read_face(warnings);
       } else if (static_cast<unsigned char>(keyword[0]) < ' ') {
         // Any word may be a keyword of some extension, but this is no text.
-        scanner_.fail("a keyword is expected, not " + quoted(keyword));
+        scanner_.fail("a keyword is expected, not " + in_quotes(keyword));
       }
       // Colours behind coordinates and statements without geometry end here.
       scanner_.skip_line();

@@ -84,7 +84,7 @@ class BinaryValues {
   // in length.
   bool skip_records(const PlyElement& element) {
     if (element.has_list()) return false;
-    reader_.require(element.count, element.record_bytes(), "record of " + quoted(element.name));
+    reader_.require(element.count, element.record_bytes(), "record of " + in_quotes(element.name));
     reader_.skip(static_cast<std::size_t>(element.count) * element.record_bytes());
     return true;
   }
@@ -188,7 +188,7 @@ class PlyReader {
     const std::size_t list = find_corners(element);
     if (list == element.properties.size()) {
       names_.fail_at(element.line,
-                     "element " + quoted(element.name) + " has no list called 'vertex_indices'");
+                     "element " + in_quotes(element.name) + " has no list called 'vertex_indices'");
     }
     values_.require(element.count, element.properties[list].count_type, "faces");
     if (!strips) builder_.reserve_faces(static_cast<std::size_t>(element.count));

@@ -4,6 +4,7 @@
 
 #include "io/text_scanner.h"
 #include "text/compose.h"
+#include "text/lower_case.h"
 
 namespace kdm {
 namespace {
@@ -21,14 +22,6 @@ constexpr TypeName kTypeNames[] = {
     {"float", PlyType::kFloat32},   {"float32", PlyType::kFloat32}, {"double", PlyType::kFloat64},
     {"float64", PlyType::kFloat64}, {"int64", PlyType::kInt64},     {"uint64", PlyType::kUint64},
     {"long", PlyType::kInt64},      {"ulong", PlyType::kUint64}};
-
-std::string lower_case(std::string_view text) {
-  std::string lower(text);
-  for (char& c : lower) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return lower;
-}
 
 // Returns the next word of the line in lower case: no word of a header depends on its case.
 std::string take_word(TextScanner& scanner) { return lower_case(scanner.word()); }

@@ -9,6 +9,7 @@
 #include "io/decode_text.h"
 #include "io/text_scanner.h"
 #include "kdmanifold/error.h"
+#include "text/lower_case.h"
 
 namespace kdm {
 namespace {
@@ -73,14 +74,6 @@ constexpr Root kXmlRoots[] = {{"<html", "a web page (HTML)"}, {"<collada", "a CO
 
 bool begins(std::string_view text, std::string_view with) {
   return text.substr(0, with.size()) == with;
-}
-
-std::string lower_case(std::string_view text) {
-  std::string lower(text);
-  for (char& c : lower) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return lower;
 }
 
 // A 3DS file is one chunk as long as the file, with a known chunk in it.

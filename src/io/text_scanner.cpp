@@ -64,8 +64,8 @@ std::string_view TextScanner::rest_of_word() const {
 void TextScanner::fail_number(const char* what) const {
   const std::string_view word = rest_of_word();
   if (has_decimal_comma(word)) {
-    fail(
-        compose("{} is {}, with a decimal comma; a decimal point is expected", what, quoted(word)));
+    fail(compose("{} is {}, with a decimal comma; a decimal point is expected", what,
+                 in_quotes(word)));
   }
   fail_expected(what);
 }
@@ -75,7 +75,7 @@ double TextScanner::number(const char* what) {
   const TextScanner start = *this;
   const double value = coordinate(what);
   if (std::isfinite(value)) return value;
-  fail(compose("{} is {}, which is not a finite number", what, quoted(start.rest_of_word())));
+  fail(compose("{} is {}, which is not a finite number", what, in_quotes(start.rest_of_word())));
 }
 
 double TextScanner::coordinate(const char* what) {
@@ -134,10 +134,10 @@ void TextScanner::fail_expected(std::string_view what) const {
   if (at_end()) fail(compose("the file ends where {} is expected", what));
   if (is_newline(*at_)) fail(compose("the line ends where {} is expected", what));
   TextScanner rest = *this;
-  fail(compose("{} is expected, not {}", what, quoted(rest.word())));
+  fail(compose("{} is expected, not {}", what, in_quotes(rest.word())));
 }
 
-std::string quoted(std::string_view bytes) {
+std::string in_quotes(std::string_view bytes) {
   constexpr std::size_t kLongest = 32;
   std::string text = "'";
   for (char c : bytes.substr(0, kLongest)) text += c >= ' ' && c <= '~' ? c : '?';

@@ -134,6 +134,6 @@ class TextScanner {
 
 /// Returns bytes of a file in quotes, as they can stand in a message of one line: printable, and
 /// not more than 32.
-std::string quoted(std::string_view bytes);
+std::string in_quotes(std::string_view bytes);
 
 }  // namespace kdm

@@ -16,7 +16,7 @@ namespace kdm {
 namespace {
 
 // Limits the work for holes, in corners looked at: to about a second.
-constexpr std::size_t kMostWork = std::size_t{1} << 27;
+constexpr std::size_t kMostFlatWork = std::size_t{1} << 27;
 // How far the triangles' area may be from that of the polygons, as a part of it.
 constexpr double kMostError = 1e-6;
 
@@ -73,7 +73,7 @@ double FlatPatch::cross(PointId a, PointId b, PointId c) const {
 // Joins a hole to the outline. Returns false if no corner is visible from it.
 bool FlatPatch::add_hole(const HolePolygon& hole) {
   work_ += outline_.size() + hole.corners.size();
-  if (work_ > kMostWork) return false;
+  if (work_ > kMostFlatWork) return false;
   const auto lies_before = [&](PointId a, PointId b) {
     const Place p = place_of(a);
     const Place q = place_of(b);

@@ -22,7 +22,7 @@ namespace {
 
 // A part whose volume is at most this share of the sum of its terms' absolute values encloses
 // nothing, but for rounding errors.
-constexpr double kMostRoundingVolume = 1e-10;
+constexpr double kMostRoundingShare = 1e-10;
 
 class PartTurner {
  public:
@@ -82,7 +82,7 @@ class PartTurner {
       const Measure& m = measures[p];
       size_.push_back(std::abs(m.volume));
       const bool encloses =
-          shells_[p].closed && std::abs(m.volume) > kMostRoundingVolume * m.absolute_volume;
+          shells_[p].closed && std::abs(m.volume) > kMostRoundingShare * m.absolute_volume;
       sign_.push_back(!encloses ? 0 : (m.volume > 0 ? 1 : -1));
     }
   }

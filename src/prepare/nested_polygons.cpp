@@ -15,7 +15,7 @@ namespace kdm {
 namespace {
 
 // Limits the work, counted in corners looked at.
-constexpr std::uint64_t kMostCorners = std::uint64_t{1} << 26;
+constexpr std::uint64_t kMostSteps = std::uint64_t{1} << 26;
 
 class PolygonNesting {
  public:
@@ -55,7 +55,7 @@ class PolygonNesting {
     const Vec3& corner = points_[polygon.corners[0]];
     Index smallest = kNone;
     tree.any_meeting({corner, corner}, [&](Index outer) {
-      if (++work_ > kMostCorners) return true;
+      if (++work_ > kMostSteps) return true;
       const double area = polygons_[outer].area;
       if (outer == inner || !(area > polygon.area)) return false;
       if (smallest != kNone) {
@@ -65,7 +65,7 @@ class PolygonNesting {
       if (in_plane_of(outer, polygon) && holds(outer, corner)) smallest = outer;
       return false;
     });
-    return work_ > kMostCorners ? kNone : smallest;
+    return work_ > kMostSteps ? kNone : smallest;
   }
 
   bool in_plane_of(Index outer, const HolePolygon& inner) {

@@ -36,7 +36,7 @@ namespace {
 // Limits how far a vertex goes at sharp edges: as a multiple of half the thickness.
 constexpr double kMostMitre = 2;
 // A piece ends at an edge if the normals of its two triangles have a lesser cosine.
-constexpr double kFoldCosine = -0.1;
+constexpr double kCutCosine = -0.1;
 // A fan that goes on for at least this angle, in radians, is the end of a slit and not of a piece.
 constexpr double kLeastSlitAngle = 4.7;
 // Pieces that end elsewhere than at a rim of the surface reach this part of the thickness further,
@@ -158,7 +158,7 @@ class Thickener {
           if (edge.size() == 1) rim_.set(edge[0].side);
         });
     for (SideId side = 0; side < opposite_.size(); ++side) {
-      if (opposite_[side] != kNone && cosine_across(side) < kFoldCosine) cut(side);
+      if (opposite_[side] != kNone && cosine_across(side) < kCutCosine) cut(side);
     }
   }
 

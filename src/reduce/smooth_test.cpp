@@ -12,7 +12,7 @@ namespace {
 
 // Cosine of 30 degrees: what turns by more looks like a crease. And what rounding may do to it.
 constexpr double kSmooth = 0.8660254037844387;
-constexpr double kSlack = 1e-9;
+constexpr double kCosineSlack = 1e-9;
 
 }  // namespace
 
@@ -90,7 +90,7 @@ bool SmoothTest::flip_smooths(SideId h) const {
   compare(previous_side(h), 0, 0);     // c to a
   compare(next_side(back), 1, 0);      // a to d
   compare(previous_side(back), 1, 1);  // d to b
-  return worst_after > worst_before + kSlack;
+  return worst_after > worst_before + kCosineSlack;
 }
 
 }  // namespace kdm

@@ -13,13 +13,13 @@
 namespace kdm {
 namespace {
 
-using Edge = std::pair<Index, Index>;  // by the numbers of its ends
+using BoxEdge = std::pair<Index, Index>;  // by the numbers of its ends
 
 // Edges that pass a point at less than this distance, in lattice units, are taken last: the
 // triangle between them might have no width when its corners are rounded to 32 bits.
 constexpr double kLeastDistance = 0.25;
 
-Edge undirected(Index a, Index b) { return {std::min(a, b), std::max(a, b)}; }
+BoxEdge undirected(Index a, Index b) { return {std::min(a, b), std::max(a, b)}; }
 
 // Returns one bit for each side of the box that the point lies on: 1 << axis for the side at the
 // low end, 8 << axis for that at the high end.
@@ -50,7 +50,7 @@ class SideTriangulation {
   void complete() {
     struct Candidate {
       double length;
-      Edge edge;
+      BoxEdge edge;
       bool operator<(const Candidate& other) const {
         return length != other.length ? length < other.length : edge < other.edge;
       }
@@ -98,7 +98,7 @@ class SideTriangulation {
     for (const Index c : numbers_) {
       if (c != a && c != b && orientation(a, b, c) == 0 && between(a, b, c)) return false;
     }
-    return std::none_of(edges_.begin(), edges_.end(), [&](const Edge& edge) {
+    return std::none_of(edges_.begin(), edges_.end(), [&](const BoxEdge& edge) {
       const auto [c, d] = edge;
       // Edges that share an end meet nowhere else, or one would go through an end of the other.
       if (c == a || c == b || d == a || d == b) return false;
@@ -136,7 +136,7 @@ class SideTriangulation {
   const std::vector<Vec3>& points_;
   int axis_;
   std::vector<Index> numbers_;  // of the points on this side of the box
-  std::vector<Edge> edges_;     // undirected; sorted once complete
+  std::vector<BoxEdge> edges_;  // undirected; sorted once complete
 };
 
 // Finds the regions into which curves cut a triangulated surface, and from these the curves' caps.
@@ -163,7 +163,7 @@ class Caps {
 
  private:
   struct SideOfTriangle {
-    Edge edge;  // directed: the triangle lies to the left
+    BoxEdge edge;  // directed: the triangle lies to the left
     Index triangle;
     bool operator<(const SideOfTriangle& other) const {
       return edge != other.edge ? edge < other.edge : triangle < other.triangle;
@@ -187,7 +187,7 @@ class Caps {
   bool read_curves() {
     for (const Curve& curve : curves_) {
       for (std::size_t i = 0; i < curve.size(); ++i) {
-        const Edge edge = undirected(curve[i], curve[(i + 1) % curve.size()]);
+        const BoxEdge edge = undirected(curve[i], curve[(i + 1) % curve.size()]);
         if (triangle_left_of(edge.first, edge.second) == kNone) return false;
         curve_edges_.push_back(edge);
       }
@@ -199,7 +199,7 @@ class Caps {
   // Returns the triangle to the left of the directed edge, seen from outside, or kNone.
   Index triangle_left_of(Index a, Index b) const {
     const auto side = std::lower_bound(sides_.begin(), sides_.end(), SideOfTriangle{{a, b}, 0});
-    return side != sides_.end() && side->edge == Edge{a, b} ? side->triangle : kNone;
+    return side != sides_.end() && side->edge == BoxEdge{a, b} ? side->triangle : kNone;
   }
 
   bool is_on_curve(Index a, Index b) const {
@@ -266,7 +266,7 @@ class Caps {
   BoxSurface& surface_;
   const std::vector<Curve>& curves_;
   std::vector<SideOfTriangle> sides_;  // of all triangles, sorted
-  std::vector<Edge> curve_edges_;      // of all curves; undirected, sorted
+  std::vector<BoxEdge> curve_edges_;   // of all curves; undirected, sorted
   std::vector<Index> region_;          // per triangle
   std::vector<double> region_areas_;   // per region
 };

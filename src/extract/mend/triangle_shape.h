@@ -33,8 +33,8 @@ class TriangleShape {
   /// Returns the cosine of the angle between the triangle's normal and a unit vector; -1 if the
   /// triangle is so thin that its normal has no direction.
   double alignment(const Vec3& wanted) const {
-    constexpr double kFlat = 1e-6;  // height over length
-    if (!(length_ > kFlat * longest())) return -1;
+    constexpr double kFlattest = 1e-6;  // height over length
+    if (!(length_ > kFlattest * longest())) return -1;
     return normal_.dot(wanted) / length_;
   }
 

@@ -8,6 +8,7 @@
 #include "kdmanifold/error.h"
 #include "kdmanifold/grid_io.h"
 #include "text/compose.h"
+#include "text/lower_case.h"
 
 namespace kdm {
 namespace {
@@ -18,13 +19,7 @@ constexpr std::string_view kExtension = ".kdgrid";
 
 bool names_a_grid(std::string_view path) {
   if (path.size() < kExtension.size()) return false;
-  const std::string_view end = path.substr(path.size() - kExtension.size());
-  for (std::size_t i = 0; i < end.size(); ++i) {
-    const char c = end[i];
-    if ((c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c) != kExtension[i])
-      return false;
-  }
-  return true;
+  return lower_case(path.substr(path.size() - kExtension.size())) == kExtension;
 }
 
 void write_grid(const std::string& path, const Grid& grid) {

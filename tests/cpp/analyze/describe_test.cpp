@@ -83,7 +83,7 @@ Mesh quad_torus(Index n, Index m) {
   return mesh;
 }
 
-void expect_agreement(const Mesh& mesh, const std::string& name) {
+void expect_same_report(const Mesh& mesh, const std::string& name) {
   SCOPED_TRACE(name);
   const MeshReport report = describe(mesh);
   const MeshCheck judge = check_mesh(mesh);
@@ -118,7 +118,7 @@ TEST(Describe, Tetrahedron) {
   EXPECT_EQ(report.bounds.min, Vec3(0, 0, 0));
   EXPECT_EQ(report.bounds.max, Vec3(1, 1, 1));
   EXPECT_TRUE(is_two_manifold(mesh));
-  expect_agreement(mesh, "tetrahedron");
+  expect_same_report(mesh, "tetrahedron");
 }
 
 TEST(Describe, EmptyMeshIsNotClosed) {
@@ -131,12 +131,12 @@ TEST(Describe, EmptyMeshIsNotClosed) {
   Mesh points;
   points.positions = {{1, 2, 3}};
   EXPECT_EQ(describe(points).unreferenced_vertices, 1u);
-  expect_agreement({}, "empty");
+  expect_same_report({}, "empty");
 }
 
 TEST(Describe, QuadsAndTrianglesTogether) {
   Mesh mesh = quad_cube();
-  expect_agreement(mesh, "quads");
+  expect_same_report(mesh, "quads");
   EXPECT_TRUE(describe(mesh).two_manifold);
   EXPECT_DOUBLE_EQ(describe(mesh).volume, 1);
   EXPECT_DOUBLE_EQ(describe(mesh).area, 6);
@@ -145,7 +145,7 @@ TEST(Describe, QuadsAndTrianglesTogether) {
   EXPECT_TRUE(describe(mesh).two_manifold);
   EXPECT_EQ(describe(mesh).euler_characteristic, 2);
   EXPECT_DOUBLE_EQ(describe(mesh).volume, 1);
-  expect_agreement(mesh, "quads and triangles");
+  expect_same_report(mesh, "quads and triangles");
 }
 
 TEST(Describe, SharedVertex) {
@@ -157,7 +157,7 @@ TEST(Describe, SharedVertex) {
   EXPECT_EQ(report.components, 2u);
   EXPECT_FALSE(report.two_manifold);
   EXPECT_EQ(check_mesh(mesh).faults(), "1 non-manifold vertices");
-  expect_agreement(mesh, "shared vertex");
+  expect_same_report(mesh, "shared vertex");
 }
 
 TEST(Describe, SharedEdge) {
@@ -170,7 +170,7 @@ TEST(Describe, SharedEdge) {
   EXPECT_EQ(report.components, 1u);
   EXPECT_FALSE(report.two_manifold);
   EXPECT_TRUE(check_mesh(mesh).oriented);
-  expect_agreement(mesh, "shared edge");
+  expect_same_report(mesh, "shared edge");
 }
 
 TEST(Describe, FlippedFace) {
@@ -181,7 +181,7 @@ TEST(Describe, FlippedFace) {
   EXPECT_FALSE(describe(mesh).two_manifold);
   EXPECT_FALSE(check_mesh(mesh).oriented);
   EXPECT_FALSE(is_two_manifold(mesh));
-  expect_agreement(mesh, "flipped");
+  expect_same_report(mesh, "flipped");
 }
 
 TEST(Describe, Hole) {
@@ -192,7 +192,7 @@ TEST(Describe, Hole) {
   EXPECT_EQ(describe(mesh).non_manifold_vertices, 0u);
   EXPECT_FALSE(describe(mesh).closed);
   EXPECT_EQ(describe(mesh).euler_characteristic, 1);
-  expect_agreement(mesh, "hole");
+  expect_same_report(mesh, "hole");
   // Two faces that touch in the middle of an open fan: the vertex has two fans.
   const Mesh bow = {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, -1, 0}},
                     {{0, 1, 2}, {0, 3, 4}},
@@ -201,7 +201,7 @@ TEST(Describe, Hole) {
                     {}};
   EXPECT_EQ(describe(bow).non_manifold_vertices, 1u);
   EXPECT_EQ(describe(bow).boundary_loops, 2u) << "which touch";
-  expect_agreement(bow, "bow tie");
+  expect_same_report(bow, "bow tie");
 }
 
 TEST(Describe, DuplicateAndDegenerateFaces) {
@@ -210,7 +210,7 @@ TEST(Describe, DuplicateAndDegenerateFaces) {
   EXPECT_EQ(describe(mesh).duplicate_faces, 1u);
   EXPECT_EQ(describe(mesh).non_manifold_edges, 3u);
   EXPECT_FALSE(describe(mesh).two_manifold);
-  expect_agreement(mesh, "duplicate");
+  expect_same_report(mesh, "duplicate");
 
   mesh = tetrahedron_mesh();
   mesh.triangles.push_back({1, 1, 2});
@@ -219,14 +219,14 @@ TEST(Describe, DuplicateAndDegenerateFaces) {
   EXPECT_EQ(describe(mesh).non_manifold_edges, 0u);
   EXPECT_EQ(describe(mesh).euler_characteristic, 2);
   EXPECT_FALSE(describe(mesh).two_manifold);
-  expect_agreement(mesh, "degenerate");
+  expect_same_report(mesh, "degenerate");
 
   // Back to back: every edge has its two faces, yet there is nothing between them.
   const Mesh pillow = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}, {}, {}, {}};
   EXPECT_TRUE(describe(pillow).closed);
   EXPECT_EQ(describe(pillow).duplicate_faces, 1u);
   EXPECT_FALSE(describe(pillow).two_manifold);
-  expect_agreement(pillow, "pillow");
+  expect_same_report(pillow, "pillow");
 }
 
 TEST(Describe, Torus) {
@@ -235,7 +235,7 @@ TEST(Describe, Torus) {
   EXPECT_TRUE(describe(mesh).two_manifold);
   EXPECT_TRUE(is_two_manifold(mesh));
   EXPECT_GT(describe(mesh).volume, 50);
-  expect_agreement(mesh, "torus");
+  expect_same_report(mesh, "torus");
 }
 
 TEST(Describe, UnreferencedVerticesTakeNoPart) {
@@ -280,17 +280,17 @@ TEST(Describe, TheJudgeSeesCoordinatesThatAreNotFinite) {
 TEST(Describe, AgreesWithTheJudgeOnAllShapes) {
   for (const shapes::NamedShape& shape : shapes::all_shapes()) {
     if (shape.mesh.triangles.size() > 1000) continue;  // the judge is slow
-    expect_agreement(shape.mesh, shape.name);
-    expect_agreement(shapes::open(shape.mesh, 3), shape.name + ", open");
-    expect_agreement(shapes::soup(shape.mesh), shape.name + ", soup");
+    expect_same_report(shape.mesh, shape.name);
+    expect_same_report(shapes::open(shape.mesh, 3), shape.name + ", open");
+    expect_same_report(shapes::soup(shape.mesh), shape.name + ", soup");
   }
 }
 
 TEST(Describe, AgreesWithTheJudgeOnRandomMeshes) {
   for (std::uint32_t seed = 1; seed <= 10; ++seed) {
-    expect_agreement(shapes::integer_tetrahedra(20, 3, seed), "tetrahedra");
-    expect_agreement(shapes::random_voxels(4, 0.5, seed), "voxels");
-    expect_agreement(shapes::collapsed_polyhedron(3, seed), "polyhedron");
+    expect_same_report(shapes::integer_tetrahedra(20, 3, seed), "tetrahedra");
+    expect_same_report(shapes::random_voxels(4, 0.5, seed), "voxels");
+    expect_same_report(shapes::collapsed_polyhedron(3, seed), "polyhedron");
   }
 }
 

@@ -16,7 +16,7 @@
 namespace kdm {
 namespace {
 
-constexpr double kTolerance = 0.01;
+constexpr double kPartsTolerance = 0.01;
 
 Mesh turned(const Mesh& mesh, int number) {
   return shapes::rotated(mesh, Vec3(1, 2, 3 + number), 0.7 * number);
@@ -39,14 +39,14 @@ Mesh pot(double wall, double bottom) {
                           48);
 }
 
-struct Made {
+struct MadeOfParts {
   Grid grid;
   ExtractedMesh mesh;
   check::MeshCheck result;
 };
 
-Made make(const Mesh& mesh, BuildOptions options = {.tolerance = kTolerance}) {
-  Made made{build_grid(mesh, options), {}, {}};
+MadeOfParts make(const Mesh& mesh, BuildOptions options = {.tolerance = kPartsTolerance}) {
+  MadeOfParts made{build_grid(mesh, options), {}, {}};
   EXPECT_NO_THROW(validate(made.grid.data()));
   made.mesh = extract(made.grid, {.strict = Strict::kEmbedded});
   made.result = check::check_mesh(made.mesh);
@@ -55,7 +55,7 @@ Made make(const Mesh& mesh, BuildOptions options = {.tolerance = kTolerance}) {
   return made;
 }
 
-bool warns(const Made& made, const char* code) {
+bool warns(const MadeOfParts& made, const char* code) {
   for (const Warning& warning : made.mesh.warnings) {
     if (warning.code == code) return true;
   }
@@ -64,7 +64,7 @@ bool warns(const Made& made, const char* code) {
 
 // All of the mesh goes into the result as it is.
 void expect_exact(const Mesh& mesh, Index parts) {
-  const Made made = make(mesh);
+  const MadeOfParts made = make(mesh);
   EXPECT_EQ(made.grid.stats().exact_parts, parts);
   EXPECT_EQ(made.grid.stats().exact_triangles, mesh.triangles.size());
   EXPECT_EQ(made.grid.stats().thin_parts, 0u);
@@ -82,19 +82,19 @@ TEST(ExactParts, ThinThingsThatMeetNothingStayAsTheyAre) {
   for (int number = 0; number < 4; ++number) {
     SCOPED_TRACE(number);
     for (const double tolerances : {0.05, 0.2, 1.0, 1.6, 3.9}) {
-      expect_exact(turned(plate(tolerances * kTolerance), number), 1);
+      expect_exact(turned(plate(tolerances * kPartsTolerance), number), 1);
     }
     expect_exact(turned(shapes::box(Vec3::Zero(), Vec3(2, 0.003, 0.004)), number), 1);
-    expect_exact(turned(ring(1, 0.2 * kTolerance), number), 1);
-    expect_exact(turned(pot(0.5 * kTolerance, 0.5 * kTolerance), number), 1);
+    expect_exact(turned(ring(1, 0.2 * kPartsTolerance), number), 1);
+    expect_exact(turned(pot(0.5 * kPartsTolerance, 0.5 * kPartsTolerance), number), 1);
     expect_exact(
         turned(shapes::merged({ring(1, 0.005), ring(1.02, 0.005), ring(1.04, 0.005)}), number), 3);
   }
 }
 
 TEST(ExactParts, AThinWallOfAThickPartIsEnough) {
-  expect_exact(turned(pot(kTolerance, 0.5), 2), 1);
-  const Made made = make(turned(pot(0.2, 0.5), 2));
+  expect_exact(turned(pot(kPartsTolerance, 0.5), 2), 1);
+  const MadeOfParts made = make(turned(pot(0.2, 0.5), 2));
   EXPECT_EQ(made.grid.stats().exact_parts, 0u) << "no wall is thin";
 }
 
@@ -102,14 +102,14 @@ TEST(ExactParts, ACavityMakesAShellThin) {
   const auto shell = [](double wall) {
     return shapes::merged({shapes::icosphere(3), shapes::inverted(shapes::icosphere(3, 1 - wall))});
   };
-  expect_exact(shell(0.2 * kTolerance), 2);
+  expect_exact(shell(0.2 * kPartsTolerance), 2);
   EXPECT_EQ(make(shell(0.3)).grid.stats().exact_parts, 0u);
 }
 
 TEST(ExactParts, WhatIsThickOrRoundGoesThroughCells) {
   for (const Mesh& mesh :
        {turned(plate(0.05), 1), shapes::cube(), shapes::icosphere(2, 0.02), shapes::torus()}) {
-    const Made made = make(mesh);
+    const MadeOfParts made = make(mesh);
     EXPECT_EQ(made.grid.stats().exact_parts, 0u);
     EXPECT_EQ(made.grid.stats().thin_parts, 0u);
     EXPECT_GT(made.grid.stats().hits, 0u);
@@ -118,13 +118,13 @@ TEST(ExactParts, WhatIsThickOrRoundGoesThroughCells) {
 
 TEST(ExactParts, ThickPartsFarEnoughAwayGoThroughCells) {
   const Mesh cube = shapes::box(Vec3(-0.5, -0.5, 0.2), Vec3(0.5, 0.5, 1.2));
-  const Made far = make(turned(shapes::merged({cube, plate(0.003)}), 1));
+  const MadeOfParts far = make(turned(shapes::merged({cube, plate(0.003)}), 1));
   EXPECT_EQ(far.grid.stats().exact_parts, 1u);
   EXPECT_GT(far.grid.stats().hits, 0u);
   EXPECT_EQ(far.result.components, 2);
   EXPECT_NEAR(far.result.volume, 1 + 4 * 0.003, 1e-3);
   // Nearer than two tolerances, what becomes of the cube might meet the plate.
-  const Made near =
+  const MadeOfParts near =
       make(turned(shapes::merged({shapes::translated(cube, Vec3(0, 0, -0.185)), plate(0.003)}), 1));
   EXPECT_EQ(near.grid.stats().exact_parts, 0u);
   EXPECT_EQ(near.grid.stats().thin_parts, 1u);
@@ -135,7 +135,7 @@ TEST(ExactParts, OnlyWhatBoundsTheSolidIsTaken) {
   const Mesh cube = shapes::box(Vec3::Constant(-1.2), Vec3::Constant(1.2));
   const Mesh thin = turned(plate(0.003), 1);
   // Within a solid it bounds nothing, within a cavity it does.
-  Made made = make(shapes::merged({shapes::scaled(cube, Vec3::Constant(2)), thin}));
+  MadeOfParts made = make(shapes::merged({shapes::scaled(cube, Vec3::Constant(2)), thin}));
   EXPECT_EQ(made.grid.stats().exact_parts, 0u);
   EXPECT_EQ(made.grid.stats().thin_parts, 0u);
   EXPECT_EQ(made.result.components, 1);
@@ -145,21 +145,21 @@ TEST(ExactParts, OnlyWhatBoundsTheSolidIsTaken) {
   EXPECT_EQ(made.result.components, 3);
   // A hollow within a solid, by the rule that counts.
   const Mesh hollow = shapes::merged({shapes::scaled(cube, Vec3::Constant(2)), thin});
-  made = make(hollow, {.tolerance = kTolerance, .inside = InsideRule::kOdd});
+  made = make(hollow, {.tolerance = kPartsTolerance, .inside = InsideRule::kOdd});
   EXPECT_EQ(made.grid.stats().exact_parts, 0u) << "it is turned outwards: its sides would be wrong";
 }
 
 TEST(ExactParts, APartWithOthersInItIsNotTaken) {
   // A thin shell, and a box in its cavity: that is as it should be.
   const Mesh shell = shapes::merged(
-      {shapes::icosphere(3), shapes::inverted(shapes::icosphere(3, 1 - 0.2 * kTolerance))});
+      {shapes::icosphere(3), shapes::inverted(shapes::icosphere(3, 1 - 0.2 * kPartsTolerance))});
   const Mesh box = shapes::box(Vec3::Constant(-0.2), Vec3::Constant(0.2));
-  Made made = make(shapes::merged({shell, box}));
+  MadeOfParts made = make(shapes::merged({shell, box}));
   EXPECT_EQ(made.grid.stats().exact_parts, 2u);
   EXPECT_EQ(made.result.components, 3);
   // A thin pot whose wall holds a part: the wall stays, what is in it goes.
-  made = make(shapes::merged(
-      {plate(3 * kTolerance), shapes::box(Vec3(-0.01, -0.01, -0.01), Vec3(0.01, 0.01, 0.01))}));
+  made = make(shapes::merged({plate(3 * kPartsTolerance),
+                              shapes::box(Vec3(-0.01, -0.01, -0.01), Vec3(0.01, 0.01, 0.01))}));
   EXPECT_EQ(made.grid.stats().exact_parts, 0u);
   EXPECT_EQ(made.result.components, 1);
 }
@@ -167,9 +167,9 @@ TEST(ExactParts, APartWithOthersInItIsNotTaken) {
 TEST(ExactParts, WhatPiercesAThickPartIsNotTaken) {
   // Edges pass through faces, far away from all other edges.
   const Mesh cube = shapes::cube();
-  for (const double thickness : {0.1 * kTolerance, kTolerance}) {
+  for (const double thickness : {0.1 * kPartsTolerance, kPartsTolerance}) {
     const Mesh through = shapes::box(Vec3(-0.5, 0.2, 0.5), Vec3(1.5, 0.8, 0.5 + thickness));
-    const Made made = make(turned(shapes::merged({cube, through}), 1));
+    const MadeOfParts made = make(turned(shapes::merged({cube, through}), 1));
     EXPECT_EQ(made.grid.stats().exact_parts, 0u);
     EXPECT_EQ(made.grid.stats().thin_parts, 1u);
     EXPECT_TRUE(warns(made, "THIN_PARTS"));
@@ -180,18 +180,22 @@ TEST(ExactParts, WhatCrossesOrTouchesIsNotTaken) {
   const Mesh thin = plate(0.003);
   const Mesh other = shapes::rotated(thin, Vec3(1, 0, 0), 1.0);
   EXPECT_EQ(
-      build_grid(shapes::merged({thin, other}), {.tolerance = kTolerance}).stats().exact_parts, 0u);
-  EXPECT_EQ(build_grid(shapes::merged({thin, other}), {.tolerance = kTolerance}).stats().thin_parts,
-            2u);
+      build_grid(shapes::merged({thin, other}), {.tolerance = kPartsTolerance}).stats().exact_parts,
+      0u);
+  EXPECT_EQ(
+      build_grid(shapes::merged({thin, other}), {.tolerance = kPartsTolerance}).stats().thin_parts,
+      2u);
   // A corner on the other's side, and two plates that share a vertex.
   Mesh corner = shapes::tetrahedron(Vec3(0, 0, 0.0015), Vec3(0.5, 0.001, 1), Vec3(0.501, 0, 1),
                                     Vec3(0.5, 0, 1.001));
-  EXPECT_EQ(
-      build_grid(shapes::merged({thin, corner}), {.tolerance = kTolerance}).stats().exact_parts,
-      0u);
-  const Mesh next = shapes::translated(thin, Vec3(2, 2, 0.003));
-  EXPECT_EQ(build_grid(shapes::merged({thin, next}), {.tolerance = kTolerance}).stats().exact_parts,
+  EXPECT_EQ(build_grid(shapes::merged({thin, corner}), {.tolerance = kPartsTolerance})
+                .stats()
+                .exact_parts,
             0u);
+  const Mesh next = shapes::translated(thin, Vec3(2, 2, 0.003));
+  EXPECT_EQ(
+      build_grid(shapes::merged({thin, next}), {.tolerance = kPartsTolerance}).stats().exact_parts,
+      0u);
 }
 
 TEST(ExactParts, AreNotTakenWhereCellsSayWhatIsFine) {
@@ -199,12 +203,14 @@ TEST(ExactParts, AreNotTakenWhereCellsSayWhatIsFine) {
   for (const SplitStrategy strategy : {SplitStrategy::kUniform, SplitStrategy::kMedian}) {
     EXPECT_EQ(build_grid(thin, {.strategy = strategy, .depth = 9}).stats().exact_parts, 0u);
   }
-  EXPECT_EQ(
-      build_grid(thin, {.tolerance = kTolerance, .inside = InsideRule::kSheet}).stats().exact_parts,
-      0u);
+  EXPECT_EQ(build_grid(thin, {.tolerance = kPartsTolerance, .inside = InsideRule::kSheet})
+                .stats()
+                .exact_parts,
+            0u);
   for (const SplitStrategy strategy : {SplitStrategy::kOctree, SplitStrategy::kFeature}) {
-    EXPECT_EQ(build_grid(thin, {.strategy = strategy, .tolerance = kTolerance}).stats().exact_parts,
-              1u);
+    EXPECT_EQ(
+        build_grid(thin, {.strategy = strategy, .tolerance = kPartsTolerance}).stats().exact_parts,
+        1u);
   }
 }
 
@@ -216,7 +222,7 @@ Mesh plate_over_cube() {
 }
 
 TEST(ExactParts, AreSavedWithTheGrid) {
-  const Grid grid = build_grid(plate_over_cube(), {.tolerance = kTolerance});
+  const Grid grid = build_grid(plate_over_cube(), {.tolerance = kPartsTolerance});
   const auto bytes = save_grid(grid);
   const Grid loaded = load_grid(bytes);
   EXPECT_EQ(loaded.stats().exact_parts, 2u);
@@ -232,7 +238,7 @@ TEST(ExactParts, AreSavedWithTheGrid) {
 TEST(ExactParts, FacesKeepTheirSourcesAndGetNormals) {
   const Mesh mesh = plate_over_cube();
   for (const bool quads : {false, true}) {
-    const ExtractedMesh out = extract(build_grid(mesh, {.tolerance = kTolerance}),
+    const ExtractedMesh out = extract(build_grid(mesh, {.tolerance = kPartsTolerance}),
                                       {.quads = quads, .normals = true, .crease_angle = 30});
     ASSERT_EQ(out.source_faces.size(), out.triangles.size() + out.quads.size());
     ASSERT_EQ(out.corner_normals.size(), 3 * out.triangles.size() + 4 * out.quads.size());
@@ -255,7 +261,7 @@ TEST(ExactParts, FacesKeepTheirSourcesAndGetNormals) {
 }
 
 TEST(ExactParts, AreChosenLikeOtherParts) {
-  const Grid grid = build_grid(plate_over_cube(), {.tolerance = kTolerance});
+  const Grid grid = build_grid(plate_over_cube(), {.tolerance = kPartsTolerance});
   const ExtractedMesh largest = extract(grid, {.parts = Parts::kLargest});
   EXPECT_EQ(largest.report.dropped_parts, 2u);
   EXPECT_NEAR(check::check_mesh(largest).volume, 1, 1e-4);
@@ -265,9 +271,9 @@ TEST(ExactParts, OtherPartsComeOutAsIfTheyWereAlone) {
   // The lattice is that of all, so the cube must span it in both.
   const Mesh cube = shapes::box(Vec3::Constant(-2), Vec3::Constant(2));
   const Mesh hollow = shapes::merged({cube, shapes::inverted(shapes::icosphere(3, 1.5))});
-  const ExtractedMesh alone = extract(build_grid(hollow, {.tolerance = kTolerance}));
+  const ExtractedMesh alone = extract(build_grid(hollow, {.tolerance = kPartsTolerance}));
   const ExtractedMesh with =
-      extract(build_grid(shapes::merged({hollow, plate(0.003)}), {.tolerance = kTolerance}));
+      extract(build_grid(shapes::merged({hollow, plate(0.003)}), {.tolerance = kPartsTolerance}));
   ASSERT_EQ(with.positions.size(), alone.positions.size() + 8);
   for (std::size_t i = 0; i < alone.positions.size(); ++i) {
     EXPECT_EQ(with.positions[i], alone.positions[i]);
@@ -283,7 +289,7 @@ TEST(ExactParts, ManyAtRandomMeetNothing) {
                                         Vec3(random.unit(), random.unit(), 1), random.unit());
       parts.push_back(shapes::translated(thin, Vec3(0, 0, 1.5 * i * random.unit())));
     }
-    const Grid grid = build_grid(shapes::merged(parts), {.tolerance = kTolerance});
+    const Grid grid = build_grid(shapes::merged(parts), {.tolerance = kPartsTolerance});
     EXPECT_EQ(grid.stats().exact_parts + grid.stats().thin_parts, 6u);
     EXPECT_NO_THROW(validate(grid.data()));
     const ExtractedMesh out = extract(grid, {.strict = Strict::kEmbedded});

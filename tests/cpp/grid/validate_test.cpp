@@ -96,7 +96,7 @@ std::vector<Index> half_edges_round_a_face(const GridData& grid, Index count) {
   return found;
 }
 
-void link(GridData& grid, Index a, Index b) {
+void join_sides(GridData& grid, Index a, Index b) {
   grid.opposite[a] = b;
   grid.opposite[b] = a;
 }
@@ -243,8 +243,8 @@ TEST(Validate, NoticesDamagedLinks) {
   expect_rule("linked half-edges run against each other", [](GridData& g) {
     // Every other half-edge round the face starts on the same side.
     const std::vector<Index> round = half_edges_round_a_face(g, 4);
-    link(g, g.opposite[round[0]], g.opposite[round[2]]);
-    link(g, round[0], round[2]);
+    join_sides(g, g.opposite[round[0]], g.opposite[round[2]]);
+    join_sides(g, round[0], round[2]);
   });
   expect_rule("links of a face join its own hits and do not cross", [](GridData& g) {
     // Between faces of the same two leaves' directions: found by trying all.
@@ -255,8 +255,8 @@ TEST(Validate, NoticesDamagedLinks) {
       const Index d = g.opposite[c];
       if (c == a || c == b || g.start_leaf(c) == g.start_leaf(a)) continue;
       if (g.start_leaf(d) == g.start_leaf(b) || g.start_leaf(d) == g.start_leaf(c)) continue;
-      link(g, a, c);
-      link(g, b, d);
+      join_sides(g, a, c);
+      join_sides(g, b, d);
       return;
     }
   });
@@ -271,13 +271,13 @@ TEST(Validate, NoticesCrossingLinks) {
   ASSERT_GE(round.size(), 6u);
   const std::size_t count = round.size();
   if (count == 6) {
-    for (std::size_t i = 0; i < 3; ++i) link(damaged, round[i], round[i + 3]);
+    for (std::size_t i = 0; i < 3; ++i) join_sides(damaged, round[i], round[i + 3]);
   } else {
     // 0-3 and 2-5 cross; the rest stays in neighbours.
-    link(damaged, round[0], round[3]);
-    link(damaged, round[2], round[5]);
-    link(damaged, round[1], round[4]);
-    for (std::size_t i = 6; i < count; i += 2) link(damaged, round[i], round[i + 1]);
+    join_sides(damaged, round[0], round[3]);
+    join_sides(damaged, round[2], round[5]);
+    join_sides(damaged, round[1], round[4]);
+    for (std::size_t i = 6; i < count; i += 2) join_sides(damaged, round[i], round[i + 1]);
   }
   try {
     validate(damaged);
@@ -366,8 +366,8 @@ TEST(Validate, SheetsHaveRules) {
              g.start_leaf(g.opposite[h]) != g.start_leaf(a) &&
              g.start_leaf(h) != g.start_leaf(g.opposite[a]) && g.start_leaf(h) != g.start_leaf(a);
     });
-    link(g, g.opposite[a], g.opposite[b]);
-    link(g, a, b);
+    join_sides(g, g.opposite[a], g.opposite[b]);
+    join_sides(g, a, b);
   });
   expect_rule("a rim is of a half-edge", [](GridData& g) {
     g.rims = {{static_cast<Index>(g.opposite.size()), Vec3::Zero(), Vec3::Zero()}};

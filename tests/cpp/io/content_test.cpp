@@ -12,8 +12,8 @@ namespace {
 
 using io_test::parse_fault;
 
-constexpr MeshFormat kFormats[] = {MeshFormat::kObj, MeshFormat::kStl, MeshFormat::kPly,
-                                   MeshFormat::kOff};
+constexpr MeshFormat kContentFormats[] = {MeshFormat::kObj, MeshFormat::kStl, MeshFormat::kPly,
+                                          MeshFormat::kOff};
 
 std::string utf16(std::string_view ascii, bool big) {
   std::string text;
@@ -29,8 +29,8 @@ std::vector<Warning> warnings_of(std::string_view bytes, MeshFormat format) {
 
 TEST(Content, CountsMoreThanTheFormatAskedFor) {
   const Mesh pyramid = io_test::pyramid();
-  for (const MeshFormat is : kFormats) {
-    for (const MeshFormat asked : kFormats) {
+  for (const MeshFormat is : kContentFormats) {
+    for (const MeshFormat asked : kContentFormats) {
       EXPECT_EQ(parse_mesh(format_mesh(pyramid, is), asked).triangles.size(), 6u);
     }
   }
@@ -65,7 +65,7 @@ TEST(Content, OtherFilesAreNamed) {
        "a Git LFS pointer, not the file that it stands for"},
   };
   for (const auto& [bytes, message] : files) {
-    for (const MeshFormat asked : kFormats) {
+    for (const MeshFormat asked : kContentFormats) {
       EXPECT_EQ(parse_fault(bytes, asked), std::string("in: byte 0: the file is ") + message);
     }
   }

@@ -13,8 +13,8 @@ namespace {
 
 using io_test::parse_fault;
 
-Mesh parse(std::string_view bytes) { return parse_mesh(bytes, MeshFormat::kPly); }
-std::string fault(std::string_view bytes) { return parse_fault(bytes, MeshFormat::kPly); }
+Mesh parse_ply(std::string_view bytes) { return parse_mesh(bytes, MeshFormat::kPly); }
+std::string ply_fault(std::string_view bytes) { return parse_fault(bytes, MeshFormat::kPly); }
 
 const std::string kVertexHeader =
     "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n";
@@ -44,8 +44,9 @@ class Bytes {
 };
 
 TEST(PlyRead, Ascii) {
-  const Mesh mesh = parse(ascii("comment made by hand\nobj_info x\n" + kVertexHeader + kFaceHeader,
-                                "0 0 0\n1 0 0\n1 1 0\n0 1 0.5\n4 0 1 2 3\n"));
+  const Mesh mesh =
+      parse_ply(ascii("comment made by hand\nobj_info x\n" + kVertexHeader + kFaceHeader,
+                      "0 0 0\n1 0 0\n1 1 0\n0 1 0.5\n4 0 1 2 3\n"));
   EXPECT_EQ(mesh.positions.size(), 4u);
   EXPECT_EQ(mesh.positions[3], Vec3(0, 1, 0.5));
   EXPECT_EQ(mesh.triangles.size(), 2u);
@@ -53,9 +54,9 @@ TEST(PlyRead, Ascii) {
 }
 
 TEST(PlyRead, AsciiWithCrLfAndOneValueALine) {
-  EXPECT_EQ(parse("ply\r\nformat ascii 1.0\r\nelement vertex 3\r\nproperty float x\r\nproperty "
-                  "float y\r\nproperty float z\r\nelement face 1\r\nproperty list uchar int "
-                  "vertex_index\r\nend_header\r\n0\r\n0\r\n0\r\n1 0 0 0 1\r\n0 3 0\r\n1 2\r\n")
+  EXPECT_EQ(parse_ply("ply\r\nformat ascii 1.0\r\nelement vertex 3\r\nproperty float x\r\nproperty "
+                      "float y\r\nproperty float z\r\nelement face 1\r\nproperty list uchar int "
+                      "vertex_index\r\nend_header\r\n0\r\n0\r\n0\r\n1 0 0 0 1\r\n0 3 0\r\n1 2\r\n")
                 .triangles,
             (std::vector<Triangle>{{0, 1, 2}}));
 }
@@ -69,9 +70,9 @@ TEST(PlyRead, OtherElementsAndPropertiesAreSkipped) {
       "element edge 1\nproperty int a\n"
       "element face 1\nproperty float quality\nproperty list uint ushort vertex_indices\n"
       "property list uchar float texcoord\n";
-  const Mesh mesh = parse(ascii(header,
-                                "5 2 0.5 0.5\n6 0\n255 3 0 1 2\n0 0 2 8 9 4 5\n1 0.5 1 7 0 1\n"
-                                "77\n0.5 3 0 1 2 2 0.1 0.2\n"));
+  const Mesh mesh = parse_ply(ascii(header,
+                                    "5 2 0.5 0.5\n6 0\n255 3 0 1 2\n0 0 2 8 9 4 5\n1 0.5 1 7 0 1\n"
+                                    "77\n0.5 3 0 1 2 2 0.1 0.2\n"));
   EXPECT_EQ(mesh.positions, (std::vector<Vec3>{{1, 2, 3}, {4, 5, 0}, {0, 1, 0.5}}));
   EXPECT_EQ(mesh.triangles, (std::vector<Triangle>{{0, 1, 2}}));
 }
@@ -99,7 +100,7 @@ TEST(PlyRead, BinaryInBothByteOrdersWithAllTypes) {
       body.add<std::int32_t>(3).add<std::uint32_t>(2).add<std::uint32_t>(1).add<std::uint32_t>(0);
       body.add<std::uint8_t>(1).add<std::int8_t>(-5);
     }
-    const Mesh mesh = parse(header + body.text());
+    const Mesh mesh = parse_ply(header + body.text());
     ASSERT_EQ(mesh.positions.size(), 3u);
     EXPECT_EQ(mesh.positions[2], Vec3(2, 0.2, -600));
     EXPECT_EQ(mesh.triangles, (std::vector<Triangle>{{2, 1, 0}, {2, 1, 0}}));
@@ -114,87 +115,88 @@ TEST(PlyRead, NamesAndTypesInUse) {
   for (const char* list : {"list uchar int vertex_index", "list uchar uint indices",
                            "list uint8 int64 VERTEX_INDICES", "LIST UCHAR UINT64 Vertex_Index"}) {
     const Mesh mesh =
-        parse(ascii("Element Vertex 3\nPROPERTY Float X\nproperty float Y\nproperty "
-                    "float Z\nelement face 1\nproperty " +
-                        std::string(list) + "\n",
-                    body));
+        parse_ply(ascii("Element Vertex 3\nPROPERTY Float X\nproperty float Y\nproperty "
+                        "float Z\nelement face 1\nproperty " +
+                            std::string(list) + "\n",
+                        body));
     EXPECT_EQ(mesh.triangles, (std::vector<Triangle>{{0, 1, 2}})) << list;
   }
   for (const bool big : {false, true}) {
     Bytes data(big);
     for (const float c : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f}) data.add(c);
     data.add<std::uint8_t>(3).add<std::int64_t>(2).add<std::int64_t>(0).add<std::int64_t>(1);
-    const Mesh mesh = parse(std::string("ply\nformat binary_") + (big ? "big" : "little") +
-                            "_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
-                            "property float z\nelement face 1\nproperty list uchar int64 "
-                            "vertex_indices\nend_header\n" +
-                            data.text());
+    const Mesh mesh =
+        parse_ply(std::string("ply\nformat binary_") + (big ? "big" : "little") +
+                  "_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                  "property float z\nelement face 1\nproperty list uchar int64 "
+                  "vertex_indices\nend_header\n" +
+                  data.text());
     EXPECT_EQ(mesh.triangles, (std::vector<Triangle>{{2, 0, 1}}));
   }
 }
 
 TEST(PlyRead, FacesBeforeVertices) {
   const Mesh mesh =
-      parse(ascii(kFaceHeader + kVertexHeader, "4 0 1 2 3\n0 0 0\n1 0 0\n0.2 0.2 0\n0 1 0\n"));
+      parse_ply(ascii(kFaceHeader + kVertexHeader, "4 0 1 2 3\n0 0 0\n1 0 0\n0.2 0.2 0\n0 1 0\n"));
   // Concave at the third corner, which was not known yet.
   EXPECT_NEAR(describe(mesh).area, 0.2, 1e-12);
 }
 
 TEST(PlyRead, TriangleStrips) {
   const Mesh mesh =
-      parse(ascii(kVertexHeader + "element tristrips 1\nproperty list int int vertex_indices\n",
-                  "0 0 0\n1 0 0\n1 1 0\n0 1 0\n10 0 1 2 3 -1 3 2 2 1 0\n"));
+      parse_ply(ascii(kVertexHeader + "element tristrips 1\nproperty list int int vertex_indices\n",
+                      "0 0 0\n1 0 0\n1 1 0\n0 1 0\n10 0 1 2 3 -1 3 2 2 1 0\n"));
   EXPECT_EQ(mesh.triangles, (std::vector<Triangle>{{0, 1, 2}, {2, 1, 3}, {2, 1, 0}}));
 }
 
 TEST(PlyRead, PointsOnly) {
-  const Mesh mesh = parse(ascii(kVertexHeader, "0 0 0\n1 0 0\n1 1 0\n0 1 0\n"));
+  const Mesh mesh = parse_ply(ascii(kVertexHeader, "0 0 0\n1 0 0\n1 1 0\n0 1 0\n"));
   EXPECT_EQ(mesh.positions.size(), 4u);
   EXPECT_TRUE(mesh.triangles.empty());
 }
 
 TEST(PlyRead, HeaderFaultsNameTheLine) {
-  EXPECT_EQ(fault(""), "in: line 1: the file ends where the keyword 'ply' is expected");
-  EXPECT_EQ(fault("plyy\n"), "in: line 1: the keyword 'ply' is expected, not 'plyy'");
-  EXPECT_EQ(fault("ply\nformat binary 1.0\n"),
+  EXPECT_EQ(ply_fault(""), "in: line 1: the file ends where the keyword 'ply' is expected");
+  EXPECT_EQ(ply_fault("plyy\n"), "in: line 1: the keyword 'ply' is expected, not 'plyy'");
+  EXPECT_EQ(ply_fault("ply\nformat binary 1.0\n"),
             "in: line 2: 'ascii', 'binary_little_endian' or 'binary_big_endian' is expected, not "
             "'binary'");
-  EXPECT_EQ(fault("ply\nformat ascii 1.0\nproperty float x\n"),
+  EXPECT_EQ(ply_fault("ply\nformat ascii 1.0\nproperty float x\n"),
             "in: line 3: a property before the first element");
-  EXPECT_EQ(fault("ply\nformat ascii 1.0\nelement vertex -3\n"),
+  EXPECT_EQ(ply_fault("ply\nformat ascii 1.0\nelement vertex -3\n"),
             "in: line 3: the number of elements is -3, below 0");
-  EXPECT_EQ(fault("ply\nformat ascii 1.0\nelement vertex 3\nproperty half x\n"),
+  EXPECT_EQ(ply_fault("ply\nformat ascii 1.0\nelement vertex 3\nproperty half x\n"),
             "in: line 4: a type such as 'float' or 'int' is expected, not 'half'");
-  EXPECT_EQ(fault("ply\nformat ascii 1.0\nelement f 1\nproperty list float int v\n"),
+  EXPECT_EQ(ply_fault("ply\nformat ascii 1.0\nelement f 1\nproperty list float int v\n"),
             "in: line 4: a list cannot be counted in a floating-point type");
-  EXPECT_EQ(fault("ply\nformat ascii 1.0\nwhatever\n"),
+  EXPECT_EQ(ply_fault("ply\nformat ascii 1.0\nwhatever\n"),
             "in: line 3: 'element', 'property' or 'end_header' is expected, not 'whatever'");
-  EXPECT_EQ(fault("ply\nformat ascii 1.0\n"),
+  EXPECT_EQ(ply_fault("ply\nformat ascii 1.0\n"),
             "in: line 3: the file ends where 'element', 'property' or 'end_header' is expected");
-  EXPECT_EQ(fault("ply\nend_header\n"), "in: line 2: the header has no 'format' line");
-  EXPECT_EQ(fault(ascii("element vertex 1\nproperty float x\nproperty float y\n", "0 0\n")),
+  EXPECT_EQ(ply_fault("ply\nend_header\n"), "in: line 2: the header has no 'format' line");
+  EXPECT_EQ(ply_fault(ascii("element vertex 1\nproperty float x\nproperty float y\n", "0 0\n")),
             "in: line 3: element vertex has no number called 'z'");
-  EXPECT_EQ(fault(ascii("element face 1\nproperty list uchar float corners\n", "3 0 0 0\n")),
+  EXPECT_EQ(ply_fault(ascii("element face 1\nproperty list uchar float corners\n", "3 0 0 0\n")),
             "in: line 3: element 'face' has no list called 'vertex_indices'");
 }
 
 TEST(PlyRead, BodyFaultsNameTheLineOrByte) {
   const std::string header = kVertexHeader + kFaceHeader;  // data begin in line 10
   const std::string vertices = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
-  EXPECT_EQ(fault(ascii(header, "0 0 0\n1 0 0\n")),
+  EXPECT_EQ(ply_fault(ascii(header, "0 0 0\n1 0 0\n")),
             "in: line 12: the file ends where a coordinate is expected");
-  EXPECT_EQ(fault(ascii(header, "0 0 x\n")), "in: line 10: a coordinate is expected, not 'x'");
-  EXPECT_EQ(fault(ascii(header, vertices + "3 0 1 4\n")),
+  EXPECT_EQ(ply_fault(ascii(header, "0 0 x\n")), "in: line 10: a coordinate is expected, not 'x'");
+  EXPECT_EQ(ply_fault(ascii(header, vertices + "3 0 1 4\n")),
             "in: line 14: vertex index 4 is out of range, there are 4 vertices (from 0)");
-  EXPECT_EQ(fault(ascii(header, vertices + "-3 0 1 2\n")), "in: line 14: a list of length -3");
-  EXPECT_EQ(fault(ascii(header, vertices + "999999999999 0 1 2\n")),
+  EXPECT_EQ(ply_fault(ascii(header, vertices + "-3 0 1 2\n")), "in: line 14: a list of length -3");
+  EXPECT_EQ(ply_fault(ascii(header, vertices + "999999999999 0 1 2\n")),
             "in: line 14: 999999999999 list items is expected, not '0'");
 
   std::string bytes = format_mesh(io_test::pyramid(), MeshFormat::kPly);
   const std::size_t data = bytes.find("end_header\n") + 11;
   std::string at = std::to_string(data + 60 + 1);
   bytes[data + 60 + 1] = 5;  // the first corner
-  EXPECT_EQ(fault(bytes),
+  EXPECT_EQ(ply_fault(bytes),
             "in: byte " + at + ": vertex index 5 is out of range, there are 5 vertices (from 0)");
   bytes = format_mesh(io_test::pyramid(), MeshFormat::kPly);
   std::memcpy(bytes.data() + data + 8, "\0\0\x80\x7f", 4);
@@ -215,7 +217,7 @@ TEST(PlyRead, CountsThatNothingBacksAreNotAllocated) {
           "element face 999999999999999999\nproperty list uchar int vertex_indices\n",
           "element other 999999999999999999\nproperty double x\n",
           "element other 999999999999999999\nproperty list uint double x\n"}) {
-      fault(std::string("ply\nformat ") + format + " 1.0\n" + element + "end_header\n0 0 0\n");
+      ply_fault(std::string("ply\nformat ") + format + " 1.0\n" + element + "end_header\n0 0 0\n");
     }
   }
 }

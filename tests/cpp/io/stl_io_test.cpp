@@ -13,8 +13,8 @@ namespace {
 
 using io_test::parse_fault;
 
-Mesh parse(std::string_view bytes) { return parse_mesh(bytes, MeshFormat::kStl); }
-std::string fault(std::string_view bytes) { return parse_fault(bytes, MeshFormat::kStl); }
+Mesh parse_stl(std::string_view bytes) { return parse_mesh(bytes, MeshFormat::kStl); }
+std::string stl_fault(std::string_view bytes) { return parse_fault(bytes, MeshFormat::kStl); }
 
 std::string binary() { return format_mesh(io_test::pyramid(), MeshFormat::kStl); }
 
@@ -27,7 +27,7 @@ const char* const kAscii =
 TEST(StlRead, Binary) {
   const std::string bytes = binary();
   EXPECT_EQ(bytes.size(), 84u + 6 * 50u);
-  const Mesh mesh = parse(bytes);
+  const Mesh mesh = parse_stl(bytes);
   ASSERT_EQ(mesh.triangles.size(), 6u);
   EXPECT_EQ(mesh.positions.size(), 18u);
   EXPECT_EQ(mesh.source_faces, (std::vector<Index>{0, 1, 2, 3, 4, 5}));
@@ -38,20 +38,20 @@ TEST(StlRead, Binary) {
 TEST(StlRead, BinaryThatBeginsWithSolid) {
   std::string bytes = binary();
   std::memcpy(bytes.data(), "solid", 5);
-  EXPECT_EQ(parse(bytes).triangles.size(), 6u);
+  EXPECT_EQ(parse_stl(bytes).triangles.size(), 6u);
   // With bytes behind the last facet, too: the count is no text.
-  EXPECT_EQ(parse(bytes + "appendix").triangles.size(), 6u);
+  EXPECT_EQ(parse_stl(bytes + "appendix").triangles.size(), 6u);
 }
 
 TEST(StlRead, Ascii) {
-  const Mesh mesh = parse(kAscii);
+  const Mesh mesh = parse_stl(kAscii);
   ASSERT_EQ(mesh.triangles.size(), 2u);
   EXPECT_EQ(mesh.positions.size(), 6u);
   EXPECT_EQ(mesh.positions[5], Vec3(0, 0, -0.2));
   EXPECT_EQ(mesh.triangles[1], (Triangle{3, 4, 5}));
   // Several solids in one file, and one without facets.
-  EXPECT_EQ(parse(std::string(kAscii) + "\n" + kAscii).triangles.size(), 4u);
-  EXPECT_TRUE(parse("solid\nendsolid\n").triangles.empty());
+  EXPECT_EQ(parse_stl(std::string(kAscii) + "\n" + kAscii).triangles.size(), 4u);
+  EXPECT_TRUE(parse_stl("solid\nendsolid\n").triangles.empty());
 }
 
 TEST(StlRead, BinaryWithAWrongCount) {
@@ -67,7 +67,7 @@ TEST(StlRead, BinaryWithAWrongCount) {
   }
   std::string bytes = binary() + "tail";
   std::memcpy(bytes.data() + 80, "\0\0\0\0", 4);
-  EXPECT_EQ(parse(bytes).triangles.size(), 6u);
+  EXPECT_EQ(parse_stl(bytes).triangles.size(), 6u);
 }
 
 TEST(StlRead, AsciiAsItIsWritten) {
@@ -81,18 +81,18 @@ TEST(StlRead, AsciiAsItIsWritten) {
         "solid x\nfacet normal 0 0 1\ncolor 1 0 0\n" + loop + "endloop\nendfacet\nendsolid\n",
         "SOLID X\n" + facet + std::string("endsolid\n\0\0\x1a\n", 13), facet,
         "\xef\xbb\xbfsolid x\n" + facet + "endsolid x\n"}) {
-    EXPECT_EQ(parse(text).triangles.size(), 1u) << text;
+    EXPECT_EQ(parse_stl(text).triangles.size(), 1u) << text;
   }
-  EXPECT_EQ(parse("solid x " + facet + "endsolid x solid y " + facet).triangles.size(), 2u);
+  EXPECT_EQ(parse_stl("solid x " + facet + "endsolid x solid y " + facet).triangles.size(), 2u);
   const std::string no_end = "facet normal 0 0 1\n" + loop + "endloop\n";
-  EXPECT_EQ(parse("solid\n" + no_end + no_end + facet + "endsolid\n").triangles.size(), 3u);
+  EXPECT_EQ(parse_stl("solid\n" + no_end + no_end + facet + "endsolid\n").triangles.size(), 3u);
 }
 
 TEST(StlRead, FaultsNameTheLineOrByte) {
-  EXPECT_EQ(fault(""),
+  EXPECT_EQ(stl_fault(""),
             "in: byte 0: 1 x STL header of 84 bytes should follow, but the file ends at "
             "byte 0");
-  EXPECT_EQ(fault(binary().substr(0, 300)),
+  EXPECT_EQ(stl_fault(binary().substr(0, 300)),
             "in: byte 84: 6 x STL facet of 50 bytes should follow, but the file ends at byte 300");
   std::string bytes = binary();
   const float nan = std::numeric_limits<float>::quiet_NaN();
@@ -107,17 +107,17 @@ TEST(StlRead, FaultsNameTheLineOrByte) {
   // A count that nothing backs must not be allocated.
   bytes = binary() + "tail";
   std::memcpy(bytes.data() + 80, "\xff\xff\xff\x7f", 4);
-  EXPECT_EQ(fault(bytes),
+  EXPECT_EQ(stl_fault(bytes),
             "in: byte 84: 2147483647 x STL facet of 50 bytes should follow, but the "
             "file ends at byte 388");
-  EXPECT_EQ(fault("solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0\n"),
+  EXPECT_EQ(stl_fault("solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0\n"),
             "in: line 4: the line ends where coordinate z is expected");
-  EXPECT_EQ(fault("solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 inf\n"),
+  EXPECT_EQ(stl_fault("solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 inf\n"),
             "in: line 5: the file ends where 'vertex' is expected");
-  EXPECT_EQ(fault("solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 1\nendloop\nendfacet"),
+  EXPECT_EQ(stl_fault("solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 1\nendloop\nendfacet"),
             "in: line 2: no face is left: 1 face has fewer than three corners");
-  EXPECT_EQ(fault("solid x\nface\n"), "in: line 2: 'facet' is expected, not 'face'");
-  EXPECT_EQ(fault("solid x\n"), "in: line 2: the file ends where 'facet' is expected");
+  EXPECT_EQ(stl_fault("solid x\nface\n"), "in: line 2: 'facet' is expected, not 'face'");
+  EXPECT_EQ(stl_fault("solid x\n"), "in: line 2: the file ends where 'facet' is expected");
 }
 
 TEST(StlRead, EveryBeginningAndEveryChangedByte) {

@@ -12,7 +12,7 @@
 namespace kdm {
 namespace {
 
-constexpr double kTolerance = 0.01;
+constexpr double kThinTolerance = 0.01;
 
 // A ring of round section: a wire.
 Mesh wire(double radius, int segments, int sides) {
@@ -26,7 +26,7 @@ Mesh wire(double radius, int segments, int sides) {
 
 void expect_kept(const Mesh& mesh, int parts) {
   MakeOptions options;
-  options.build.tolerance = kTolerance;
+  options.build.tolerance = kThinTolerance;
   const MadeManifold made = make_manifold(mesh, options);
   EXPECT_EQ(made.stats.exact_parts, static_cast<Index>(parts));
   EXPECT_TRUE(check::is_two_manifold(static_cast<const ExtractedMesh&>(made)));
@@ -38,14 +38,14 @@ void expect_kept(const Mesh& mesh, int parts) {
   EXPECT_NEAR(result.volume, volume, 0.25 * volume);
   const Account account = compare(mesh, made.grid, made, {.error = true});
   ASSERT_TRUE(account.error);
-  EXPECT_LE(account.error->to_input.largest, kTolerance);
-  EXPECT_LE(account.error->to_output.largest, kTolerance);
+  EXPECT_LE(account.error->to_input.largest, kThinTolerance);
+  EXPECT_LE(account.error->to_output.largest, kThinTolerance);
 }
 
 TEST(ThinParts, AreReducedWithTheirThickness) {
   for (const double tolerances : {0.2, 1.0, 1.6, 3.0}) {
     SCOPED_TRACE(tolerances);
-    const double thickness = tolerances * kTolerance;
+    const double thickness = tolerances * kThinTolerance;
     const Mesh plate = shapes::rotated(
         shapes::subdivided(shapes::subdivided(shapes::box(Vec3(0, 0, 0), Vec3(1, 1, thickness)))),
         Vec3(1, 2, 3), 0.7);

@@ -2,6 +2,7 @@
 // The composed shapes of shapes.h and the list of them all.
 #include <Eigen/Geometry>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include "random_meshes.h"
@@ -9,8 +10,6 @@
 
 namespace kdm::shapes {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 void append(Mesh& scene, const Mesh& part) {
   const Index base = static_cast<Index>(scene.positions.size());
@@ -85,8 +84,8 @@ Mesh house(std::mt19937& engine) {
 Mesh lamp() {
   Mesh mesh = cylinder(0.12, 0.4, 16);
   append(mesh, cylinder(0.05, 4.5, 16));
-  append(mesh,
-         translated(rotated(cylinder(0.03, 1.2, 12), Vec3::UnitY(), kPi / 2), Vec3(-0.02, 0, 4.4)));
+  append(mesh, translated(rotated(cylinder(0.03, 1.2, 12), Vec3::UnitY(), std::numbers::pi / 2),
+                          Vec3(-0.02, 0, 4.4)));
   append(mesh, translated(icosphere(2, 0.2), Vec3(1.2, 0, 4.3)));
   return mesh;
 }
@@ -110,7 +109,7 @@ Mesh torus_chain(int links) {
   Mesh chain;
   for (int i = 0; i < links; ++i) {
     Mesh link = torus(1, 0.25, 40, 16);
-    if (i % 2 == 1) link = rotated(std::move(link), Vec3::UnitX(), kPi / 2);
+    if (i % 2 == 1) link = rotated(std::move(link), Vec3::UnitX(), std::numbers::pi / 2);
     append(chain, translated(std::move(link), Vec3(1.4 * i, 0, 0)));
   }
   return chain;
@@ -141,10 +140,12 @@ Mesh glass(double wall) {
   const auto bowl = [](double angle, double radius) {
     return std::pair(radius * sine(angle), 0.75 - radius * cosine(angle));
   };
-  for (int i = 2; i <= kSteps; ++i) profile.push_back(bowl(kPi / 2 * i / kSteps, 0.35));
+  for (int i = 2; i <= kSteps; ++i)
+    profile.push_back(bowl(std::numbers::pi / 2 * i / kSteps, 0.35));
   profile.emplace_back(0.35, 1.0);
   profile.emplace_back(0.35 - wall, 1.0);
-  for (int i = kSteps; i > 0; --i) profile.push_back(bowl(kPi / 2 * i / kSteps, 0.35 - wall));
+  for (int i = kSteps; i > 0; --i)
+    profile.push_back(bowl(std::numbers::pi / 2 * i / kSteps, 0.35 - wall));
   profile.emplace_back(0, 0.75 - (0.35 - wall));
   return revolved(profile, 48);
 }
@@ -223,7 +224,8 @@ Mesh street(Index triangles) {
     append(part, yard);
     append(part, translated(pole, Vec3(0.4, -1.5, 0)));
     append(part, box(Vec3(-1, -2.2, -0.15), Vec3(13, -2, 0)));  // kerb
-    if (far_side) part = translated(rotated(std::move(part), Vec3::UnitZ(), kPi), Vec3(12, -8, 0));
+    if (far_side)
+      part = translated(rotated(std::move(part), Vec3::UnitZ(), std::numbers::pi), Vec3(12, -8, 0));
     append(scene, translated(std::move(part), Vec3(14.0 * (plot / 2), 0, 0)));
   }
   return scene;

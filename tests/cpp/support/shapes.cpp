@@ -5,13 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <random>
 #include <stdexcept>
 
 namespace kdm::shapes {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 Vec3 rotate(const Vec3& p, const Vec3& axis, double angle) {
   const double c = cosine(angle);
@@ -25,11 +24,11 @@ double unit_random(std::mt19937& engine) { return static_cast<double>(engine()) 
 
 }  // namespace
 
-double sine(double angle) { return cosine(angle - kPi / 2); }
+double sine(double angle) { return cosine(angle - std::numbers::pi / 2); }
 
 double cosine(double angle) {
-  const double turns = angle / (2 * kPi);
-  const double x = std::abs(turns - std::floor(turns + 0.5)) * 2 * kPi;  // 0 to pi
+  const double turns = angle / (2 * std::numbers::pi);
+  const double x = std::abs(turns - std::floor(turns + 0.5)) * 2 * std::numbers::pi;  // 0 to pi
   if (x == 0) return 1;
   // cos x = 2 cos^2(x/2) - 1, twice, around the power series at x/4 <= pi/4.
   const double q = x * x / 16;
@@ -67,6 +66,10 @@ Mesh rotated(Mesh mesh, const Vec3& axis, double angle) {
   const Vec3 unit = axis.normalized();
   for (Vec3& p : mesh.positions) p = rotate(p, unit, angle);
   return mesh;
+}
+
+Mesh turned(const Mesh& mesh) {
+  return rotated(rotated(mesh, Vec3(1, 2, 3), 0.7), Vec3(-2, 1, 1), 1.1);
 }
 
 Mesh inverted(Mesh mesh) {
@@ -199,7 +202,7 @@ Mesh icosphere(int subdivisions, double radius) {
 Mesh uv_sphere(int segments, int rings, double radius) {
   std::vector<std::pair<double, double>> profile;
   for (int i = 0; i <= rings; ++i) {
-    const double angle = kPi * i / rings;
+    const double angle = std::numbers::pi * i / rings;
     const bool pole = i == 0 || i == rings;
     profile.emplace_back(pole ? 0 : radius * sine(angle), radius * cosine(angle));
   }
@@ -219,7 +222,7 @@ Mesh revolved(const std::vector<std::pair<double, double>>& profile, int segment
     const auto [r, z] = profile[i];
     first[i] = static_cast<Index>(mesh.positions.size());
     for (Index k = 0; k < (r == 0 ? 1 : around); ++k) {
-      const double angle = 2 * kPi * k / around;
+      const double angle = 2 * std::numbers::pi * k / around;
       mesh.positions.emplace_back(r * cosine(angle), r * sine(angle), z);
     }
   }
@@ -242,7 +245,7 @@ Mesh revolved(const std::vector<std::pair<double, double>>& profile, int segment
 Mesh torus(double major, double minor, int major_segments, int minor_segments) {
   std::vector<std::pair<double, double>> profile;
   for (int i = 0; i < minor_segments; ++i) {
-    const double angle = 2 * kPi * i / minor_segments;
+    const double angle = 2 * std::numbers::pi * i / minor_segments;
     profile.emplace_back(major + minor * cosine(angle), minor * sine(angle));
   }
   return revolved(profile, major_segments);

@@ -20,6 +20,7 @@ Mesh merged(const std::vector<Mesh>& parts);  ///< one after the other, nothing 
 Mesh translated(Mesh mesh, const Vec3& by);
 Mesh scaled(Mesh mesh, const Vec3& by);  ///< negative factors flip the faces as well
 Mesh rotated(Mesh mesh, const Vec3& axis, double angle);  ///< about the origin, radians
+Mesh turned(const Mesh& mesh);                            ///< so that no face is axis-parallel
 Mesh inverted(Mesh mesh);                                 ///< inside out
 Mesh subdivided(Mesh mesh);                               ///< each triangle in four, in its plane
 Mesh jittered(Mesh mesh, double amplitude, std::uint32_t seed);  ///< each vertex moved at random

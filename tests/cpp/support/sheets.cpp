@@ -6,13 +6,10 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numbers>
 
 namespace kdm::shapes {
-namespace {
-
-constexpr double kPi = 3.14159265358979323846;
-
-}  // namespace
+namespace {}  // namespace
 
 Mesh grid_sheet(int nx, int ny, const std::function<double(double, double)>& height,
                 const std::function<bool(int, int)>& missing) {
@@ -43,7 +40,7 @@ Mesh grid_sheet(int nx, int ny, const std::function<double(double, double)>& hei
 Mesh moebius_band(int segments) {
   Mesh mesh;
   for (int i = 0; i < segments; ++i) {
-    const double angle = 2 * kPi * i / segments;
+    const double angle = 2 * std::numbers::pi * i / segments;
     for (const double side : {-0.3, 0.3}) {
       const double radius = 1 + side * cosine(angle / 2);
       mesh.positions.emplace_back(radius * cosine(angle), radius * sine(angle),
@@ -65,7 +62,7 @@ Mesh moebius_band(int segments) {
 Mesh tube(double radius, double height, int segments) {
   Mesh mesh;
   for (int i = 0; i < segments; ++i) {
-    const double angle = 2 * kPi * i / segments;
+    const double angle = 2 * std::numbers::pi * i / segments;
     for (const double z : {0.0, height}) {
       mesh.positions.emplace_back(radius * cosine(angle), radius * sine(angle), z);
     }

@@ -15,11 +15,6 @@ namespace {
 
 using shapes::box;
 
-Mesh turned(const Mesh& mesh) {
-  return shapes::rotated(shapes::rotated(mesh, Vec3(1, 2, 3).normalized(), 0.7),
-                         Vec3(-2, 1, 1).normalized(), 1.1);
-}
-
 struct Result {
   check::MeshCheck report;
   bool resolved = false;
@@ -35,7 +30,7 @@ Result convert(const Mesh& mesh, Strict strict, double tolerance = 0.002) {
 
 // The solid keeps its volume, however the mesh is turned and whether or not it must be embedded.
 void expect_volume(const Mesh& mesh, double volume, double share) {
-  for (const Mesh& posed : {mesh, turned(mesh)}) {
+  for (const Mesh& posed : {mesh, shapes::turned(mesh)}) {
     for (const Strict strict : {Strict::kManifold, Strict::kEmbedded}) {
       const Result result = convert(posed, strict);
       EXPECT_TRUE(result.report.two_manifold);
@@ -62,7 +57,7 @@ TEST(Contacts, BoxesFaceToFaceAreOneSolidWhereverTheyPoint) {
       shapes::merged({box(Vec3(0, 0, 0), Vec3(3, 1, 1)), box(Vec3(0, 1, 0), Vec3(2, 2, 1)),
                       box(Vec3(0, 2, 0), Vec3(1, 3, 1))});
   expect_volume(steps, 6, 0.002);
-  const Result result = convert(turned(steps), Strict::kEmbedded);
+  const Result result = convert(shapes::turned(steps), Strict::kEmbedded);
   EXPECT_EQ(result.report.components, 1);
   EXPECT_EQ(result.report.euler_characteristic, 2);
 }
@@ -97,7 +92,7 @@ TEST(Contacts, NestedPartsLookLikeTheOuterOne) {
 // The walls on either side of a slit that is narrower than a thirty-second of the tolerance grow
 // together, and the grid does not say that it kept the topology.
 TEST(Contacts, GapsThatAreClosedAreNotCalledResolved) {
-  const Mesh walls = turned(
+  const Mesh walls = shapes::turned(
       shapes::merged({box(Vec3(0, 0, 0), Vec3(1, 1, 1)), box(Vec3(1.0001, 0, 0), Vec3(2, 1, 1))}));
   const Result closed = convert(walls, Strict::kManifold, 0.01);
   EXPECT_EQ(closed.report.components, 1);
