@@ -15,7 +15,8 @@ const head = (text) => `// SPDX-License-Identifier: MIT
 export async function generate(description, page) {
   // Here, not at the top: set-up may just have installed it.
   const { format } = await import('prettier');
-  const { build, extract, reduction, reduce, analyze, files, report, solids } = description.options;
+  const { build, extract, reduction, reduce, simplify, analyze, files, report, solids } =
+    description.options;
   const typescript = (text) =>
     format(text, { parser: 'typescript', printWidth: 100, singleQuote: true });
   return {
@@ -27,11 +28,13 @@ export async function generate(description, page) {
         optionInterface('ExtractOptions', 'How a grid becomes a mesh', extract),
         optionInterface('ReductionOptions', 'How a mesh gets fewer triangles', reduction),
         optionInterface('ReduceOptions', 'How far a mesh is reduced', reduce),
+        optionInterface('SimplifyOptions', 'How far a grid is simplified', simplify),
         optionInterface('AnalyzeOptions', 'What `KdManifold.analyze` looks for', analyze),
         optionTable('buildOptions: OptionTable<BuildOptions>', build),
         optionTable('extractOptions: OptionTable<ExtractOptions>', extract),
         optionTable('reductionOptions: OptionTable<ReductionOptions>', reduction),
         optionTable('reduceOptions: OptionTable<ReduceOptions>', reduce),
+        optionTable('simplifyOptions: OptionTable<SimplifyOptions>', simplify),
         optionTable('analyzeOptions: OptionTable<AnalyzeOptions>', analyze),
       ].join('\n'),
     ),

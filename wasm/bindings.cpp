@@ -11,6 +11,7 @@ EMSCRIPTEN_BINDINGS(kdmanifold) {
       .function("extract", &kdm::wasm::extract)
       .function("extractReduced", &kdm::wasm::extract_reduced)
       .function("make", &kdm::wasm::make_from_grid)
+      .function("simplify", &kdm::wasm::simplify)
       .function("compare", &kdm::wasm::compare)
       .function("save", &kdm::wasm::save_grid)
       .function("stats", &kdm::wasm::grid_stats)

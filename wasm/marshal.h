@@ -164,7 +164,7 @@ inline Progress to_progress(const val& callback) {
 /// begins, and returns a callback as `to_progress` takes it.
 inline StepProgress to_steps(const val& begin) {
   return [begin](MakeStep step) {
-    constexpr std::array kNames = {"build", "extract", "reduce"};
+    constexpr std::array kNames = {"build", "simplify", "extract", "reduce"};
     return to_progress(begin(std::string(kNames[static_cast<std::size_t>(step)])));
   };
 }

@@ -88,6 +88,7 @@ inline val from_extracted(const ExtractedMesh& mesh) {
 inline val from_reduced(const MadeMesh& made) {
   val to = from_extracted(made);
   to.set("levels", from_meshes(made.levels));
+  to.set("simplify", made.simplified ? from_report(*made.simplified) : val::null());
   to.set("reduce", made.reduced ? from_report(*made.reduced) : val::null());
   return to;
 }
@@ -126,7 +127,7 @@ inline val make_solids(val operands, val expression, val options, val begin) {
   });
 }
 
-inline val make_from_grid(const Grid& grid, val options, val begin) {
+inline val make_from_grid(Grid& grid, val options, val begin) {
   return guard([&] {
     return from_made(kdm::make_from_grid(grid, to_options<ExtractOptions>(options),
                                          to_options<ReductionOptions>(options), to_steps(begin)));
@@ -137,6 +138,13 @@ inline val extract_reduced(const Grid& grid, val options, val reduce, val begin)
   return guard([&] {
     return from_reduced(kdm::extract_reduced(grid, to_options<ExtractOptions>(options),
                                              to_options<ReduceOptions>(reduce), to_steps(begin)));
+  });
+}
+
+inline val simplify(Grid& grid, val options, val progress) {
+  return guard([&] {
+    return from_report(
+        kdm::simplify(grid, to_options<SimplifyOptions>(options), to_progress(progress)));
   });
 }
 

@@ -39,7 +39,7 @@ BothSurfaces::BothSurfaces(const Mesh& mesh, const GridData& grid, const Mesh& o
   result.positions = scaled(out.positions, -exponent);
   const double step = grid.lattice.step;
   reach = (std::max(kTolerances * grid.tolerance * step, 2 * grid.input.sewing_distance) +
-           grid.thickness) /
+           grid.simplified + grid.thickness) /
           unit;
   told_apart = input_tells() ? reach / kTolerances : reach;
   leave_out_flat();

@@ -106,28 +106,49 @@ void write_results(const Command& command, const Task& task, const Formats& form
   if (!files.save_grid.empty()) write_grid_file(files.save_grid, grid);
 }
 
-// Takes the time of the step before, and shows how far this one is.
-Progress begin(MakeStep step, ProgressLine& progress, Stopwatch& watch, Seconds& seconds) {
-  switch (step) {
-    case MakeStep::kBuild:
-      return progress.of("building");
-    case MakeStep::kExtract:
-      seconds.build = watch.lap();
-      return progress.of("extracting");
-    case MakeStep::kReduce:
-      break;
+// Takes the time of the steps, and shows how far each is.
+class Steps {
+ public:
+  Steps(Stopwatch& watch, ProgressLine& progress, Seconds& seconds)
+      : watch_(watch), progress_(progress), seconds_(seconds) {}
+
+  Progress begin(MakeStep step) {
+    end();
+    switch (step) {
+      case MakeStep::kBuild:
+        running_ = &seconds_.build;
+        return progress_.of("building");
+      case MakeStep::kSimplify:
+        running_ = &seconds_.simplify;
+        return progress_.of("simplifying");
+      case MakeStep::kExtract:
+        running_ = &seconds_.extract;
+        return progress_.of("extracting");
+      case MakeStep::kReduce:
+        break;
+    }
+    running_ = &seconds_.reduce;
+    return progress_.of("reducing");
   }
-  seconds.extract = watch.lap();
-  return progress.of("reducing");
-}
+  // Ends the step that runs.
+  void end() {
+    const double seconds = watch_.lap();
+    if (running_ != nullptr) *running_ = seconds;
+  }
+
+ private:
+  Stopwatch& watch_;
+  ProgressLine& progress_;
+  Seconds& seconds_;
+  double* running_ = nullptr;
+};
 
 // The steps, which fill in the report.
 void work(const Command& command, const Task& task, ProgressLine& progress, RunReport& report) {
   const Formats formats = check_files(command, task);
   Stopwatch watch;
-  const StepProgress steps = [&](MakeStep step) {
-    return begin(step, progress, watch, report.seconds);
-  };
+  Steps timed_steps(watch, progress, report.seconds);
+  const StepProgress steps = [&](MakeStep step) { return timed_steps.begin(step); };
   MadeManifold made;
   std::optional<Mesh> input;  // if it is one mesh, and no grid
   progress.show("reading");
@@ -136,7 +157,6 @@ void work(const Command& command, const Task& task, ProgressLine& progress, RunR
     report.seconds.read = watch.lap();
     static_cast<MadeMesh&>(made) =
         make_from_grid(made.grid, command.extract, command.reduction, steps);
-    report.seconds.build = 0;
   } else {
     ReadMesh read = read_mesh_file(task.input, formats.input);
     report.warnings = std::move(read.warnings);
@@ -155,7 +175,7 @@ void work(const Command& command, const Task& task, ProgressLine& progress, RunR
       input = std::move(read.mesh);
     }
   }
-  (made.reduced ? report.seconds.reduce : report.seconds.extract) = watch.lap();
+  timed_steps.end();
   round_to_single(made);
   for (Mesh& level : made.levels) round_to_single(level);
   progress.show("writing");
@@ -167,6 +187,7 @@ void work(const Command& command, const Task& task, ProgressLine& progress, RunR
   report.grid = made.stats;
   report.output = describe(made);
   report.extracted = made.report;
+  report.simplified = made.simplified;
   report.reduced = made.reduced;
   const auto warn = [&](const std::vector<Warning>& of) {
     report.warnings.insert(report.warnings.end(), of.begin(), of.end());

@@ -156,12 +156,14 @@ std::string description() {
   json["options"] = {
       {"build", options_json<BuildOptions>()},         {"extract", options_json<ExtractOptions>()},
       {"reduction", options_json<ReductionOptions>()}, {"reduce", options_json<ReduceOptions>()},
-      {"analyze", options_json<AnalyzeOptions>()},     {"files", options_json<FileOptions>()},
-      {"report", options_json<ReportOptions>()},       {"solids", options_json<SolidOptions>()}};
+      {"simplify", options_json<SimplifyOptions>()},   {"analyze", options_json<AnalyzeOptions>()},
+      {"files", options_json<FileOptions>()},          {"report", options_json<ReportOptions>()},
+      {"solids", options_json<SolidOptions>()}};
   Json& reports = json["reports"];
   reports["InputReport"] = report_json<InputReport>("What the grid was built from");
   reports["GridStats"] = report_json<GridStats>("The size of a grid");
   reports["ExtractReport"] = report_json<ExtractReport>("How a mesh was made of a grid");
+  reports["SimplifyReport"] = report_json<SimplifyReport>("How a grid was simplified");
   reports["ReduceReport"] = report_json<ReduceReport>("How a mesh was reduced");
   reports["LostArea"] = report_json<LostArea>("What of the input the result does not come near");
   reports["Deviation"] = report_json<Deviation>("How far points of one surface are from another");

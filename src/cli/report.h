@@ -14,7 +14,7 @@ namespace kdm::cli {
 
 /// Wall-clock seconds of the steps.
 struct Seconds {
-  double read = 0, analyze = 0, build = 0, extract = 0, reduce = 0, write = 0;
+  double read = 0, analyze = 0, build = 0, simplify = 0, extract = 0, reduce = 0, write = 0;
 };
 
 /// One level of detail of the result.
@@ -31,12 +31,13 @@ struct RunReport {
   GridStats grid;
   MeshReport output;
   ExtractReport extracted;
-  std::optional<ReduceReport> reduced;   ///< empty: nothing was reduced
-  std::vector<Level> levels;             ///< one for each of --target-triangles
-  std::vector<Warning> warnings;         ///< of the file, then of the result
-  std::optional<LostArea> lost;          ///< only of one mesh that was the input
-  std::optional<MeshError> error;        ///< likewise, with --check
-  std::uint64_t self_intersections = 0;  ///< of the output; with --check only
+  std::optional<SimplifyReport> simplified;  ///< empty: the grid was not simplified
+  std::optional<ReduceReport> reduced;       ///< empty: nothing was reduced
+  std::vector<Level> levels;                 ///< one for each of --target-triangles
+  std::vector<Warning> warnings;             ///< of the file, then of the result
+  std::optional<LostArea> lost;              ///< only of one mesh that was the input
+  std::optional<MeshError> error;            ///< likewise, with --check
+  std::uint64_t self_intersections = 0;      ///< of the output; with --check only
   Seconds seconds;
   std::uint64_t peak_bytes = 0;  ///< most memory the process held; 0: unknown
 };

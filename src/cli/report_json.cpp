@@ -45,6 +45,7 @@ Json seconds_json(const RunReport& report, const Command& command) {
   if (command.report.stats) json["analyze"] = report.seconds.analyze;
   if (converts(command)) {
     json["build"] = report.seconds.build;
+    if (report.simplified) json["simplify"] = report.seconds.simplify;
     json["extract"] = report.seconds.extract;
     if (report.reduced) json["reduce"] = report.seconds.reduce;
   }
@@ -100,6 +101,7 @@ Json report_as_json(const RunReport& report, const Command& command) {
   if (converts(command)) {
     json["grid"] = all_fields(report.grid);
     json["output"] = output_json(report.output, report.extracted);
+    if (report.simplified) json["simplify"] = all_fields(*report.simplified);
     if (report.reduced) json["reduce"] = all_fields(*report.reduced);
     if (!report.levels.empty()) json["levels"] = levels_json(report.levels);
     if (report.lost) json["lost"] = all_fields(*report.lost);

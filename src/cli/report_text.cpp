@@ -64,8 +64,9 @@ std::string seconds_text(const RunReport& report, const Command& command) {
   std::string text = fmt::format("seconds  read {:.3f}", report.seconds.read);
   if (command.report.stats) text += fmt::format(", analyze {:.3f}", report.seconds.analyze);
   if (converts(command)) {
-    text +=
-        fmt::format(", build {:.3f}, extract {:.3f}", report.seconds.build, report.seconds.extract);
+    text += fmt::format(", build {:.3f}", report.seconds.build);
+    if (report.simplified) text += fmt::format(", simplify {:.3f}", report.seconds.simplify);
+    text += fmt::format(", extract {:.3f}", report.seconds.extract);
     if (report.reduced) text += fmt::format(", reduce {:.3f}", report.seconds.reduce);
   }
   if (writes(command.files)) text += fmt::format(", write {:.3f}", report.seconds.write);
@@ -138,6 +139,10 @@ std::string account_text(const RunReport& report) {
 
 std::string reduction_text(const RunReport& report) {
   std::string text;
+  if (report.simplified) {
+    text += fmt::format("simpler  grid from {} cells to {}\n", report.simplified->cells_before,
+                        report.simplified->cells);
+  }
   if (report.reduced) {
     text += fmt::format("reduced  from {} triangles to {}\n", report.reduced->triangles_before,
                         report.reduced->triangles);

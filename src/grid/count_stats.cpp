@@ -34,6 +34,7 @@ void count_stats(GridData& grid) {
     if (source == kNone || source == kPatch) ++grid.stats.invented_hits;
   }
   grid.stats.tolerance = grid.tolerance * grid.lattice.step;
+  grid.stats.simplified = grid.simplified;
   grid.stats.exact_triangles = static_cast<Index>(grid.exact.triangles.size());
   grid.stats.sheet = grid.sheet;
   grid.stats.bytes = grid.bytes();

@@ -50,10 +50,15 @@ void reduce_step(const Mesh& reference, const ReduceOptions& options, const Step
   }
 }
 
+// Says what there is to warn of once the result is reduced.
+void warn_again(const InputReport& input, MadeMesh& made) {
+  made.warnings = collect_warnings(input, made.stats, made.report, area_of(made));
+}
+
 // Lets the account speak of the tolerance that the whole keeps.
 void state_tolerance(const InputReport& input, double tolerance, MadeMesh& made) {
   made.stats.tolerance = tolerance;
-  made.warnings = collect_warnings(input, made.stats, made.report, area_of(made));
+  warn_again(input, made);
 }
 
 // How far the result may be from the input: what was asked for, unless the grid had to take more
@@ -71,6 +76,15 @@ double left_tolerance(const GridStats& grid) {
   return left > kLittle * grid.tolerance ? left : grid.tolerance;
 }
 
+// Makes the result of the grid that was built, if it is to be simplified.
+MadeManifold make_simplified(Grid grid, const MakeOptions& options, const StepProgress& progress) {
+  MadeManifold out;
+  out.grid = std::move(grid);
+  static_cast<MadeMesh&>(out) =
+      make_from_grid(out.grid, options.extract, options.reduction, progress);
+  return out;
+}
+
 }  // namespace
 
 MadeManifold make_manifold_in_steps(const Mesh& mesh, const MakeOptions& options,
@@ -79,6 +93,9 @@ MadeManifold make_manifold_in_steps(const Mesh& mesh, const MakeOptions& options
   MadeManifold out;
   out.grid = build_grid_within(mesh, options.build, is_reduced ? kGridShare : 1,
                                begin(progress, MakeStep::kBuild));
+  if (options.reduction.simplify > 0) {
+    return make_simplified(std::move(out.grid), options, progress);
+  }
   MadeMesh& made = out;
   if (!is_reduced) {
     made = extract_step(out.grid, options.extract, progress);
@@ -104,6 +121,9 @@ MadeManifold make_solids_in_steps(const Expression& expression,
   SolidsGrid built =
       build_csg_grid_within(operands, expression, options.build, is_reduced ? kGridShare : 1,
                             begin(progress, MakeStep::kBuild));
+  if (options.reduction.simplify > 0) {
+    return make_simplified(std::move(built.grid), options, progress);
+  }
   MadeManifold out;
   out.grid = std::move(built.grid);
   MadeMesh& made = out;
@@ -126,15 +146,21 @@ MadeManifold make_manifold(const Mesh& mesh, const MakeOptions& options, const P
   return made;
 }
 
-MadeMesh make_from_grid(const Grid& grid, const ExtractOptions& extract,
+MadeMesh make_from_grid(Grid& grid, const ExtractOptions& extract,
                         const ReductionOptions& reduction, const StepProgress& progress) {
-  if (!reduces(grid.stats(), extract, reduction)) {
-    return extract_step(grid, extract, progress);
+  const bool is_reduced = reduces(grid.stats(), extract, reduction);
+  std::optional<SimplifyReport> simplified;
+  if (reduction.simplify > 0) {
+    simplified =
+        simplify(grid, {.surface_error = reduction.simplify}, begin(progress, MakeStep::kSimplify));
   }
-  return extract_reduced(
-      grid, extract,
-      {.error = left_tolerance(grid.stats()), .target_triangles = reduction.target_triangles},
-      progress);
+  MadeMesh made = is_reduced ? extract_reduced(grid, extract,
+                                               {.error = left_tolerance(grid.stats()),
+                                                .target_triangles = reduction.target_triangles},
+                                               progress)
+                             : extract_step(grid, extract, progress);
+  made.simplified = simplified;
+  return made;
 }
 
 MadeMesh extract_reduced(const Grid& grid, const ExtractOptions& extract,
@@ -144,7 +170,9 @@ MadeMesh extract_reduced(const Grid& grid, const ExtractOptions& extract,
   MadeMesh made = extract_embedded(grid, extract, progress);
   const Mesh own = made;
   reduce_step(own, options, progress, made);
-  state_tolerance(grid.input(), grid.stats().tolerance + options.error, made);
+  // Nothing had to be widened: the distance was asked for.
+  warn_again(grid.input(), made);
+  made.stats.tolerance += options.error;
   return made;
 }
 

@@ -11,8 +11,10 @@ StepProgress shares_of(const Progress& progress) {
     switch (step) {
       case MakeStep::kBuild:
         return part_of_progress(progress, 0.0, 0.3);
+      case MakeStep::kSimplify:
+        return part_of_progress(progress, 0.3, 0.35);
       case MakeStep::kExtract:
-        return part_of_progress(progress, 0.3, 0.5);
+        return part_of_progress(progress, 0.35, 0.5);
       case MakeStep::kReduce:
         break;
     }

@@ -67,6 +67,7 @@ const options: BuildOptions = { strategy: 'median', depth: 12, pairing: 'trace' 
 const grid: Grid = kdm.buildGrid(indexed, options);
 const mesh: Mesh = grid.extract({ strict: 'embedded', linkError: 0.01 });
 const triangles: Uint32Array = mesh.indices;
+grid.simplify({ surfaceError: 0.01, onProgress: () => true }).removedSplits satisfies number;
 const saved: Uint8Array = grid.save();
 grid[Symbol.dispose]();
 kdm.loadGrid(saved, 'part.kdgrid').delete();

@@ -14,6 +14,7 @@ import {
   extractOptions,
   reduceOptions,
   reductionOptions,
+  simplifyOptions,
 } from './options.js';
 import type {
   AnalyzeOptions,
@@ -23,6 +24,7 @@ import type {
   MeshInput,
   PolygonMeshInput,
   ReduceOptions,
+  SimplifyOptions,
 } from './types.js';
 
 /** A mesh whose arrays are typed arrays that were looked at. */
@@ -325,6 +327,15 @@ export function checkReduceOptions(given: ReduceOptions, others: string[]): Chec
       'INVALID_OPTION',
       'error: expected a number above 0, unless targetTriangles is given',
     );
+  }
+  return options;
+}
+
+/** Checks and returns how far a grid is simplified. */
+export function checkSimplifyOptions(given: SimplifyOptions): SimplifyOptions {
+  const options: SimplifyOptions = pick(given, simplifyOptions, ['onProgress']);
+  if (!options.surfaceError) {
+    throw new KdManifoldError('INVALID_OPTION', 'surfaceError: expected a number above 0');
   }
   return options;
 }

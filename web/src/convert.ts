@@ -60,7 +60,7 @@ export function fulfil(library: KdManifold, order: Order, onProgress?: ProgressC
 
 // Measures the steps one after the other, in seconds.
 class Laps {
-  readonly seconds: Record<MakeStep, number> = { build: 0, extract: 0, reduce: 0 };
+  readonly seconds: Record<MakeStep, number> = { build: 0, simplify: 0, extract: 0, reduce: 0 };
   #step: MakeStep | undefined;
   #since = performance.now();
 
@@ -92,7 +92,7 @@ function convert(
 ): Conversion {
   const { subject, check } = order;
   const laps = new Laps();
-  const { grid, levels, reduce, stats, report, ...result } = make(library, order, {
+  const { grid, levels, simplify, reduce, stats, report, ...result } = make(library, order, {
     ...(onProgress && {
       onProgress: (fraction, phase) => onProgress(makeShare * fraction, phase),
     }),
@@ -113,6 +113,7 @@ function convert(
         ...('mesh' in subject ? {} : { operands: grid.operands }),
         grid: stats,
         output: pick({ ...described, ...report }, outputKeys),
+        simplify,
         reduce,
         ...account,
         warnings: [...warnings, ...report.warnings],

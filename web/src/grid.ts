@@ -7,6 +7,7 @@ import {
   checkMesh,
   checkPolygonMesh,
   checkReduceOptions,
+  checkSimplifyOptions,
   type CheckedReduction,
 } from './check-input.js';
 import { KdManifoldError } from './errors.js';
@@ -23,6 +24,8 @@ import type {
   PolygonMeshInput,
   ProgressOptions,
   ReduceOptions,
+  SimplifyOptions,
+  SimplifyReport,
 } from './types.js';
 import type { OwnUint8Array } from './outside-types.js';
 
@@ -125,6 +128,35 @@ export class Grid {
       this.delete();
       throw error;
     }
+  }
+
+  /**
+   * Makes the grid smaller: splits of the kd-tree are removed, the cheapest first, as long as no part of the surface and
+   * no handle comes or goes and the surface stays within `surfaceError` of what it was when the grid was built (section 4
+   * of the paper). The grid then takes less memory and fewer bytes, and `extract` makes fewer triangles of it. For few
+   * triangles alone, `extract({ reduce })` does far more.
+   *
+   * Calls add up: another one with the same `surfaceError` does nothing, one with a larger goes on. If the call throws,
+   * the grid is what it was.
+   *
+   * @param options - `surfaceError`, which must be above 0, further limits, and a callback for progress
+   * @returns what was removed, and how far the surface may now be from what it was
+   * @throws {@link KdManifoldError} with `INVALID_OPTION`, `EMPTY_RESULT`, `OUT_OF_MEMORY`, `ABORTED`, `DELETED`
+   *
+   * @example
+   * ```js
+   * import { load } from 'kdmanifold';
+   *
+   * const grid = (await load()).buildGrid({ positions, indices });
+   * const { cellsBefore, cells } = grid.simplify({ surfaceError: 0.01 });
+   * console.log(cellsBefore, cells, grid.save().length);
+   * grid.delete();
+   * ```
+   */
+  simplify(options: SimplifyOptions & ProgressOptions): SimplifyReport {
+    const raw = this.#demand();
+    const checked = checkSimplifyOptions(options);
+    return call(this.#health, options.onProgress, (progress) => raw.simplify(checked, progress));
   }
 
   /**

@@ -15,6 +15,7 @@ import type {
   ReduceReport,
   SelfIntersections,
   Simplified,
+  SimplifyReport,
 } from './types.js';
 
 /** What guard() in wasm/marshal.h returns. */
@@ -29,6 +30,7 @@ export type RawSteps = (step: MakeStep) => RawProgress;
 /** A result that may be reduced; the tolerances in `stats` are those that it keeps. */
 export interface RawMade extends Omit<ExtractedMesh, 'reduce'> {
   levels: Mesh[];
+  simplify: SimplifyReport | null;
   reduce: ReduceReport | null;
   stats: GridStats;
 }
@@ -37,6 +39,7 @@ export interface RawGrid {
   extract(options: object, progress: RawProgress): Answer<ExtractedMesh>;
   extractReduced(options: object, reduce: object, begin: RawSteps): Answer<ExtractedMesh>;
   make(options: object, begin: RawSteps): Answer<RawMade>;
+  simplify(options: object, progress: RawProgress): Answer<SimplifyReport>;
   compare(input: PolygonMeshInput, result: PolygonMeshInput, error: boolean): Answer<Account>;
   save(): Answer<Uint8Array<ArrayBuffer>>;
   stats(): GridStats;

@@ -161,6 +161,12 @@ export interface ReductionOptions {
    * counts too, so that there may be more. Left out: as few as the distance allows.
    */
   targetTriangles?: number | readonly number[];
+  /**
+   * Remove splits of the grid as long as its surface stays this near to what it was (paper section
+   * 4), which makes saved grids smaller, in model units. The distance comes on top of the
+   * tolerance. For few triangles alone, `reduce` does far more. 0, the default: none.
+   */
+  simplify?: number;
 }
 
 /** How far a mesh is reduced. */
@@ -176,6 +182,20 @@ export interface ReduceOptions {
    * distance allows.
    */
   targetTriangles?: number | readonly number[];
+}
+
+/** How far a grid is simplified. */
+export interface SimplifyOptions {
+  /**
+   * How far the surface may be, either way, from what it was when the grid was built, in model
+   * units. What calls before have used up counts. Default 0.
+   */
+  surfaceError?: number;
+  /**
+   * The paper's on-metric as a further limit: the root mean square distance of merged hits from the
+   * plane that fits them best, in model units. 0, the default: no limit.
+   */
+  planeError?: number;
 }
 
 /** What `KdManifold.analyze` looks for. */
@@ -243,12 +263,19 @@ export const extractOptions: OptionTable<ExtractOptions> = {
 export const reductionOptions: OptionTable<ReductionOptions> = {
   reduce: { flag: '--no-reduce', kind: 'boolean', default: true },
   targetTriangles: { flag: '--target-triangles', kind: 'numbers', least: 1 },
+  simplify: { flag: '--simplify', kind: 'number', least: 0, default: 0 },
 };
 
 /** @internal */
 export const reduceOptions: OptionTable<ReduceOptions> = {
   error: { flag: '--error', kind: 'number', least: 0, default: 0 },
   targetTriangles: { flag: '--target-triangles', kind: 'numbers', least: 1 },
+};
+
+/** @internal */
+export const simplifyOptions: OptionTable<SimplifyOptions> = {
+  surfaceError: { flag: '--surface-error', kind: 'number', least: 0, default: 0 },
+  planeError: { flag: '--plane-error', kind: 'number', least: 0, default: 0 },
 };
 
 /** @internal */

@@ -99,9 +99,14 @@ export interface GridStats {
    * How far the result may be from the input: the tolerance that was asked for, or a wider one
    * where a surface to be repaired would have taken beyond all measure. For strategies without a
    * tolerance: the one that extraction goes by. Of a grid by itself that was built for a reduced
-   * result: half of it. In model units.
+   * result: 0.8 times it. In model units.
    */
   tolerance: number;
+  /**
+   * How far the surface may have moved as the grid was simplified, which comes on top of the
+   * tolerance; 0: it was not. In model units.
+   */
+  simplified: number;
   /**
    * `repair`: winding numbers above this are inside; 0 where the surface is closed and none had to
    * be asked for.
@@ -167,6 +172,30 @@ export interface ExtractReport {
    * sheets cross. Otherwise null: nobody has looked.
    */
   crossings: number | null;
+}
+
+/** How a grid was simplified. */
+export interface SimplifyReport {
+  /** Splits that were removed from the grid. */
+  removedSplits: number;
+  /** Nodes of the kd-tree before. */
+  cellsBefore: number;
+  /** Nodes that are left. */
+  cells: number;
+  /** Intersections of the surface with grid edges before. */
+  hitsBefore: number;
+  /** Intersections that are left. */
+  hits: number;
+  /**
+   * The largest root mean square distance of merged hits from the plane that fits them best (the
+   * paper's on-metric). In model units.
+   */
+  planeError: number;
+  /**
+   * How far the surface may now be from what it was when the grid was built: what all calls have
+   * been allowed. In model units.
+   */
+  allowedError: number;
 }
 
 /** How a mesh was reduced. */

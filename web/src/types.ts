@@ -9,6 +9,7 @@ import type {
   MeshError,
   OutputReport,
   ReduceReport,
+  SimplifyReport,
 } from './reports.js';
 
 export type {
@@ -17,6 +18,7 @@ export type {
   ExtractOptions,
   ReduceOptions,
   ReductionOptions,
+  SimplifyOptions,
 } from './options.js';
 export type {
   Deviation,
@@ -31,6 +33,7 @@ export type {
   OutputReport,
   ReduceReport,
   SelfIntersections,
+  SimplifyReport,
 } from './reports.js';
 
 /** Numbers of vertices or faces, in whatever array. */
@@ -188,6 +191,8 @@ export interface Report {
   operands?: InputReport[];
   grid: GridStats;
   output: OutputReport;
+  /** How the grid was simplified; null: it was not. */
+  simplify: SimplifyReport | null;
   /** How the result was reduced; null: it was not. */
   reduce: ReduceReport | null;
   /** What of the input the result does not come near. Not of Boolean operations. */
@@ -197,7 +202,7 @@ export interface Report {
   /** What one should know before one trusts the mesh, the gravest first. */
   warnings: Warning[];
   /** Wall-clock time of the steps. */
-  seconds: { build: number; extract: number; reduce: number };
+  seconds: { build: number; simplify: number; extract: number; reduce: number };
   /** Size of the WebAssembly heap, which never shrinks: the most that any call so far needed. */
   peakBytes: number;
   /** Who did it: a worker, or (`main`) the thread that called, which could do nothing else meanwhile. */

@@ -76,10 +76,13 @@ struct GridStats {
   /// In model units: the tolerance that was asked for; 0 if none was.
   double asked_tolerance = 0;
   /// In model units: how far the grid's surface may be from the input. This is the tolerance that
-  /// was asked for, half of it if the result is to be reduced (see `make_manifold`), or a wider one
-  /// where a surface to be repaired would have taken beyond all measure. For strategies without a
-  /// tolerance: the one that extraction goes by.
+  /// was asked for, 0.8 times it if the result is to be reduced (see `make_manifold`), or a wider
+  /// one where a surface to be repaired would have taken beyond all measure. For strategies without
+  /// a tolerance: the one that extraction goes by.
   double tolerance = 0;
+  /// In model units: how far `simplify` may have moved the surface since, which comes on top. 0: it
+  /// was not simplified.
+  double simplified = 0;
   /// `kRepair`: winding numbers above this are inside; 0 where the surface is closed and none had
   /// to be asked for.
   double winding_threshold = 0;

@@ -10,6 +10,7 @@
 #include "kdmanifold/build.h"
 #include "kdmanifold/extract.h"
 #include "kdmanifold/reduce.h"
+#include "kdmanifold/simplify.h"
 
 namespace kdm {
 
@@ -24,6 +25,11 @@ struct ReductionOptions {
   /// How many triangles are to be left; several numbers, each smaller than the one before, make
   /// several levels of detail. The tolerance counts too. Empty: as few as the tolerance allows.
   std::vector<Index> target_triangles = {};
+  /// Removes splits of the grid before the surface is extracted, as long as the grid's surface
+  /// stays within this distance of what it was, in model units (see `simplify`): the grid takes
+  /// less memory and fewer bytes. The distance comes on top of the tolerance. 0: the grid stays as
+  /// it is.
+  double simplify = 0;
 };
 
 /// What `make_manifold` can be told.
@@ -33,8 +39,8 @@ struct MakeOptions {
   ReductionOptions reduction = {};
 };
 
-/// The steps in their order. The last one is left out where nothing is reduced.
-enum class MakeStep { kBuild, kExtract, kReduce };
+/// The steps in their order. Those are left out that nobody asked for.
+enum class MakeStep { kBuild, kSimplify, kExtract, kReduce };
 
 /// Called when a step begins; returns the progress function of that step, which may be empty.
 using StepProgress = std::function<Progress(MakeStep)>;
@@ -42,10 +48,11 @@ using StepProgress = std::function<Progress(MakeStep)>;
 /// A result with the account of how it was made. If several numbers of triangles were asked for it
 /// is the last level. `report` is that of the extraction, as far as reduction leaves it alone.
 struct MadeMesh : ExtractedMesh {
-  std::optional<ReduceReport> reduced;  ///< how it was reduced; empty: it was not
-  std::vector<Mesh> levels;             ///< one for each of `target_triangles`
+  std::optional<SimplifyReport> simplified;  ///< how the grid was simplified; empty: it was not
+  std::optional<ReduceReport> reduced;       ///< how it was reduced; empty: it was not
+  std::vector<Mesh> levels;                  ///< one for each of `target_triangles`
   /// Of the grid; but the tolerances are those asked for and kept by the whole, as far as there is
-  /// one: the grid of a result that is reduced has half of it.
+  /// one: the grid of a result that is reduced has 0.8 times it.
   GridStats stats;
 };
 
@@ -54,11 +61,13 @@ struct MadeManifold : MadeMesh {
   Grid grid;
 };
 
-/// Makes a closed, oriented 2-manifold mesh of a mesh: `build_grid`, `extract`, `reduce`.
+/// Makes a closed, oriented 2-manifold mesh of a mesh: `build_grid`, `extract`, `reduce`, on demand
+/// with `simplify` after the first.
 ///
-/// The tolerance holds for the whole. What is reduced is held against the input, its closed holes
-/// against themselves; with `thicken`, whose surface lies off the input, against the grid's own
-/// surface. Whatever `strict` says, a reduced result is embedded.
+/// The tolerance holds for the whole, but for what `simplify` is allowed. What is reduced is held
+/// against the input, its closed holes against themselves; with `thicken`, whose surface lies off
+/// the input, and with `simplify`, against the grid's own surface. Whatever `strict` says, a
+/// reduced result is embedded.
 ///
 /// Throws what the steps throw, `kEmptyResult`, and `kInvalidOption` for options that exclude each
 /// other; names of options in the message stand in backticks.
@@ -71,10 +80,11 @@ MadeManifold make_manifold_in_steps(const Mesh& mesh, const MakeOptions& options
 /// Says whether `make_manifold` would reduce its result. Throws `kInvalidOption` as it does.
 bool reduces(const MakeOptions& options);
 
-/// Makes the result of a grid that was built before, e.g. loaded. If it was built for a reduced
-/// result, or if it is asked for, the result is reduced within the grid's tolerance of the grid's
-/// own surface: so it keeps the tolerance that was asked for when it was built.
-MadeMesh make_from_grid(const Grid& grid, const ExtractOptions& extract,
+/// Makes the result of a grid that was built before, e.g. loaded. Simplifies the grid first if this
+/// is asked for. If it was built for a reduced result, or if it is asked for, the result is reduced
+/// within what the grid left of its tolerance of the grid's own surface: so it keeps the tolerance
+/// that was asked for when it was built.
+MadeMesh make_from_grid(Grid& grid, const ExtractOptions& extract,
                         const ReductionOptions& reduction, const StepProgress& progress = {});
 
 /// Extracts an embedded surface and reduces it, held against itself. Not with `quads` and `strict`

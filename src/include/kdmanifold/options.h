@@ -311,6 +311,15 @@ void for_each_field(Options& options, Visit&& visit) {
             "make several levels: for -o name.obj the files name.1.obj, name.2.obj and so on",
             "The tolerance counts too, so that there may be more."),
         options.target_triangles);
+  visit(OptionField{.name = "simplify",
+                    .letter = "E",
+                    .help = "remove splits of the grid as long as its surface stays this near to "
+                            "what it was (paper section 4), which makes saved grids smaller",
+                    .zero = "none",
+                    .details = "The distance comes on top of the tolerance. For few triangles "
+                               "alone, `reduce` does far more.",
+                    .unit = Unit::kModelUnits},
+        options.simplify);
 }
 
 /// See `for_each_field` of `BuildOptions`. Command lines do not have these.

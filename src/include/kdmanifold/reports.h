@@ -125,9 +125,14 @@ void for_each_field(const GridStats& stats, Visit&& visit) {
                     "How far the result may be from the input: the tolerance that was asked for, "
                     "or a wider one where a surface to be repaired would have taken beyond all "
                     "measure. For strategies without a tolerance: the one that extraction goes "
-                    "by. Of a grid by itself that was built for a reduced result: half of it",
+                    "by. Of a grid by itself that was built for a reduced result: 0.8 times it",
                     Unit::kModelUnits},
         stats.tolerance);
+  visit(ReportField{"simplified",
+                    "How far the surface may have moved as the grid was simplified, which comes on "
+                    "top of the tolerance; 0: it was not",
+                    Unit::kModelUnits},
+        stats.simplified);
   visit(ReportField{"winding_threshold",
                     "`repair`: winding numbers above this are inside; 0 where the surface is "
                     "closed and none had to be asked for"},

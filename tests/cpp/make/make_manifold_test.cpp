@@ -7,6 +7,8 @@
 
 #include <set>
 
+#include "kdmanifold/account.h"
+#include "kdmanifold/boolean.h"
 #include "kdmanifold/error.h"
 #include "kdmanifold/grid_io.h"
 #include "kdmanifold/thicken.h"
@@ -223,7 +225,7 @@ TEST(MakeManifold, TellsItsStepsAndCanBeStopped) {
 TEST(MakeFromGrid, KeepsTheToleranceThatWasAskedFor) {
   const Mesh mesh = ring();
   const MadeManifold made = make_manifold(mesh, within(kTolerance));
-  const Grid loaded = load_grid(save_grid(made.grid));
+  Grid loaded = load_grid(save_grid(made.grid));
   const MadeMesh again = make_from_grid(loaded, {}, {});
   ASSERT_TRUE(again.reduced);
   EXPECT_EQ(again.reduced->triangles_before, made.reduced->triangles_before);
@@ -234,14 +236,57 @@ TEST(MakeFromGrid, KeepsTheToleranceThatWasAskedFor) {
 }
 
 TEST(MakeFromGrid, LeavesOtherGridsAloneUnlessAsked) {
-  const Grid grid = build_grid(ring(), {.tolerance = kTolerance});
+  Grid grid = build_grid(ring(), {.tolerance = kTolerance});
   const MadeMesh plain = make_from_grid(grid, {}, {});
   EXPECT_FALSE(plain.reduced);
   expect_same(plain, extract(grid));
   const MadeMesh asked = make_from_grid(grid, {}, {.reduce = true});
   ASSERT_TRUE(asked.reduced);
   EXPECT_NEAR(asked.stats.tolerance, 2 * kTolerance, 1e-9);
+  EXPECT_TRUE(asked.warnings.empty());  // that was asked for
   EXPECT_THROW(make_from_grid(grid, {.quads = true}, {.reduce = true}), Error);
+}
+
+// The grid that is handed out is the smaller one, and the whole keeps both distances.
+TEST(MakeManifold, SimplifiesTheGridOnDemand) {
+  constexpr double kError = 0.03;
+  MakeOptions options = within(kTolerance);
+  const MadeManifold whole = make_manifold(ring(), options);
+  options.reduction.simplify = kError;
+  const MadeManifold made = make_manifold(ring(), options);
+  EXPECT_FALSE(whole.simplified);
+  ASSERT_TRUE(made.simplified);
+  EXPECT_EQ(made.simplified->cells_before, whole.stats.cells);
+  EXPECT_LT(2 * made.simplified->cells, made.simplified->cells_before);
+  EXPECT_EQ(made.grid.stats().cells, made.simplified->cells);
+  EXPECT_EQ(made.stats.simplified, kError);
+  EXPECT_NEAR(made.stats.tolerance, kTolerance, 1e-9);
+  EXPECT_TRUE(made.warnings.empty());
+  ASSERT_TRUE(made.reduced);
+  EXPECT_TRUE(check::is_two_manifold(made));
+  EXPECT_LT(check::distance_to(made, ring()), 1.05 * (kTolerance + kError));
+  EXPECT_EQ(compare(ring(), made.grid, made).lost.area, 0);
+
+  options.reduction.reduce = false;
+  MadeManifold plain = make_manifold(ring(), options);
+  EXPECT_FALSE(plain.reduced);
+  expect_same(plain, extract(plain.grid));
+  // Calls add up: the same distance again leaves the grid as it is.
+  EXPECT_EQ(make_from_grid(plain.grid, {}, options.reduction).simplified->removed_splits, 0u);
+  EXPECT_EQ(load_grid(save_grid(plain.grid)).stats().simplified, kError);
+}
+
+TEST(MakeManifold, SimplifiesTheGridOfSolids) {
+  const Mesh cube = shapes::cube();
+  const Mesh ball = shapes::icosphere(3, 0.7);
+  MakeOptions options = within(0.005);
+  options.reduction.simplify = 0.02;
+  const MadeManifold made =
+      make_solids_in_steps(difference(0, 1), {Operand(cube), Operand(ball)}, options, {});
+  ASSERT_TRUE(made.simplified);
+  EXPECT_GT(made.simplified->removed_splits, 0u);
+  EXPECT_TRUE(check::is_two_manifold(made));
+  EXPECT_EQ(made.grid.operands().size(), 2u);
 }
 
 // The distance is tested at points, so that a little more is possible between them.

@@ -145,6 +145,7 @@ TEST_F(Cli, HelpListsTheOptions) {
                                               "--quiet",
                                               "--relative-tolerance",
                                               "--save-grid",
+                                              "--simplify",
                                               "--split-error",
                                               "--stats",
                                               "--strategy",
@@ -226,9 +227,9 @@ TEST_F(Cli, ReportHasTheDocumentedKeys) {
                                         "latticeStep"}));
   EXPECT_EQ(keys(json["grid"]),
             (Names{"cells", "leaves", "hits", "depth", "sheet", "bytes", "askedTolerance",
-                   "tolerance", "windingThreshold", "topologyResolved", "unresolvedLeaves",
-                   "unresolvedPositions", "exactParts", "exactTriangles", "thinParts",
-                   "ambiguousFaces", "guessedFaces", "inventedHits"}));
+                   "tolerance", "simplified", "windingThreshold", "topologyResolved",
+                   "unresolvedLeaves", "unresolvedPositions", "exactParts", "exactTriangles",
+                   "thinParts", "ambiguousFaces", "guessedFaces", "inventedHits"}));
   EXPECT_EQ(keys(json["output"]), (Names{"vertices",
                                          "triangles",
                                          "quads",

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The two command lines, native and in Node: same options, same files, same report, same status.
-import { existsSync, readdirSync, readFileSync } from 'node:fs';
+import { existsSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { load } from '../../../dist/index.js';
 import { fileOptions, reportOptions, solidOptions } from '../../../build/js/cli/table.js';
@@ -185,6 +185,41 @@ test('a grid that was built for it is reduced when it is loaded, by both alike',
       return readFileSync(join(folder, `${name}.ply`));
     });
     expect(second.equals(first)).toBe(true);
+  }));
+
+test('--simplify makes the saved grid smaller, in both alike, also of a grid that is loaded', () =>
+  withFolder((folder) => {
+    write(join(folder, 'a.obj'), torus());
+    const run = (input, ...args) =>
+      programs.map(([name, program]) => {
+        const files = ['-o', 'a.ply', '--save-grid', `${name}.kdgrid`, '--force', '--json'];
+        const result = program([input, ...files, ...args], { cwd: folder });
+        expect(result).toMatchObject({ status: 0, stderr: '' });
+        const { simplify, grid, seconds, warnings } = JSON.parse(result.stdout);
+        const bytes = readFileSync(join(folder, `${name}.kdgrid`));
+        return { simplify, cells: grid.cells, steps: Object.keys(seconds), warnings, bytes };
+      });
+    const tolerance = ['--tolerance', '0.02', '--no-reduce'];
+    const [whole] = run('a.obj', ...tolerance);
+    expect(whole.simplify).toBeUndefined();
+    writeFileSync(join(folder, 'whole.kdgrid'), whole.bytes);
+    const direct = run('a.obj', ...tolerance, '--simplify', '0.1');
+    const loaded = run('whole.kdgrid', '--simplify', '0.1');
+    const [first] = direct;
+    expect(direct[1]).toEqual(first);
+    expect(loaded[1]).toEqual(loaded[0]);
+    expect(loaded[0].bytes.equals(first.bytes)).toBe(true);
+    expect(first.simplify).toEqual(loaded[0].simplify);
+    expect(first.simplify.cellsBefore).toBe(whole.cells);
+    expect(first.simplify.cells).toBe(first.cells);
+    expect(first.steps).toEqual(['read', 'build', 'simplify', 'extract', 'write']);
+    expect(first.warnings).toEqual([]);
+    expect(2 * first.bytes.length).toBeLessThan(whole.bytes.length);
+    const texts = both(['a.obj', ...tolerance, '--simplify', '0.1'], { cwd: folder });
+    expect(withoutNumbers(texts[1].stdout)).toBe(withoutNumbers(texts[0].stdout));
+    expect(texts[0].stdout).toContain(
+      `simpler  grid from ${whole.cells} cells to ${first.cells}\n`,
+    );
   }));
 
 test('--stats describes what cannot be built from, in both alike', () =>

@@ -13,7 +13,7 @@ import { KdManifoldError } from '../errors.js';
 import type { Grid } from '../grid.js';
 import type { RawMade } from '../kdmanifold.js';
 import type { KdManifold } from '../library.js';
-import type { StepOptions } from '../steps.js';
+import type { MakeStep, StepOptions } from '../steps.js';
 import type { Account, Mesh, MeshInput, ProgressCallback } from '../types.js';
 
 // What a task's files are: nothing for grids, and where there is no output.
@@ -92,20 +92,33 @@ function stopwatch(): () => number {
   };
 }
 
-// Takes the time of the step before, and shows how far this one is.
+const doing: Record<MakeStep, string> = {
+  build: 'building',
+  simplify: 'simplifying',
+  extract: 'extracting',
+  reduce: 'reducing',
+};
+
+// Takes the time of the steps, and shows how far each is. `end` ends the one that runs.
 function stepsOf(
   progress: ProgressLine,
   lap: () => number,
   seconds: CliReport['seconds'],
-): StepOptions {
+): Required<StepOptions> & { end(): void } {
   let shown: ProgressCallback | undefined;
+  let running: MakeStep | undefined;
+  const end = (): void => {
+    const taken = lap();
+    if (running !== undefined) seconds[running] = taken;
+  };
   return {
     onProgress: (fraction, phase) => shown?.(fraction, phase),
     onStep: (step) => {
-      if (step === 'extract') seconds.build = lap();
-      if (step === 'reduce') seconds.extract = lap();
-      shown = progress.of({ build: 'building', extract: 'extracting', reduce: 'reducing' }[step]);
+      end();
+      running = step;
+      shown = progress.of(doing[step]);
     },
+    end,
   };
 }
 
@@ -128,7 +141,7 @@ async function work(
     const grid = library.loadGrid(await readAll(task.input), task.input);
     seconds.read = lap();
     made = grid.make(command.extract, command.reduction, steps);
-    seconds.build = 0;
+    seconds.build = 0; // as the native program says
   } else {
     const { mesh, warnings } = await readMesh(library, task.input, formats.input);
     report.warnings = warnings;
@@ -153,10 +166,10 @@ async function work(
       made = library.make(mesh, options, {}, steps);
     }
   }
-  const { grid, levels, reduce, stats, report: account, ...mesh } = made;
+  const { grid, levels, simplify, reduce, stats, report: account, ...mesh } = made;
   try {
     const { warnings, ...extracted } = account;
-    seconds[reduce ? 'reduce' : 'extract'] = lap();
+    steps.end();
     progress.show('writing');
     const paths = pathsOf(command, task);
     const meshes = paths.length > 1 ? levels : [mesh];
@@ -178,6 +191,7 @@ async function work(
       operands: grid.operands,
       grid: stats,
       output: { ...described, ...checked },
+      ...(simplify && { simplify }),
       ...(reduce && { reduce }),
       ...(levels.length > 0 && {
         levels: levels.map(({ indices }, i) => ({

@@ -15,6 +15,7 @@ import type {
   MeshError,
   MeshReport,
   ReduceReport,
+  SimplifyReport,
   Warning,
 } from '../types.js';
 
@@ -34,6 +35,8 @@ export interface CliReport {
     operands: InputReport[];
     grid: GridStats;
     output: MeshReport & ExtractReport & { selfIntersections?: number };
+    /** Unless the grid was not simplified. */
+    simplify?: SimplifyReport;
     /** Unless nothing was reduced. */
     reduce?: ReduceReport;
     /** With --target-triangles. */
@@ -43,7 +46,7 @@ export interface CliReport {
     error?: MeshError | null;
   };
   seconds: { read: number } & Partial<
-    Record<'analyze' | 'build' | 'extract' | 'reduce' | 'write', number>
+    Record<'analyze' | 'build' | 'simplify' | 'extract' | 'reduce' | 'write', number>
   >;
   peakBytes: number;
   /** Of the file, then of the result. */
@@ -51,8 +54,8 @@ export interface CliReport {
 }
 
 /**
- * Returns `input`, with --stats `defects`, then `grid`, `output` (with --check also its `selfIntersections`), if anything
- * was reduced `reduce`, with --target-triangles `levels`, `warnings`, with --check `check`, then `seconds` and `peakBytes`. With --stats alone there is neither `grid` nor `output`.
+ * Returns `input`, with --stats `defects`, then `grid`, `output` (with --check also its `selfIntersections`), with
+ * --simplify `simplify`, if anything was reduced `reduce`, with --target-triangles `levels`, `warnings`, with --check `check`, then `seconds` and `peakBytes`. With --stats alone there is neither `grid` nor `output`.
  */
 export function reportAsJson(report: CliReport, command: Command): object {
   const { defects, result, seconds } = report;
@@ -68,6 +71,7 @@ export function reportAsJson(report: CliReport, command: Command): object {
       ...pick(result.output, outputKeys),
       selfIntersections: result.output.selfIntersections,
     },
+    simplify: result?.simplify,
     reduce: result?.reduce,
     levels: result?.levels,
     lost: result?.lost && { ...result.lost, faces: result.lost.faces.length },
@@ -78,6 +82,7 @@ export function reportAsJson(report: CliReport, command: Command): object {
       read: seconds.read,
       analyze: seconds.analyze,
       build: seconds.build,
+      simplify: seconds.simplify,
       extract: seconds.extract,
       reduce: seconds.reduce,
       write: seconds.write,
@@ -179,12 +184,19 @@ function repairLines({ input, grid, output }: NonNullable<CliReport['result']>):
 }
 
 // Says how many triangles there were, and how many there are in each level.
-function reductionLines({ reduce, levels = [] }: NonNullable<CliReport['result']>): string[] {
+function reductionLines({
+  simplify,
+  reduce,
+  levels = [],
+}: NonNullable<CliReport['result']>): string[] {
   const lines = levels.map(
     ({ file, triangles }) => `level    ${file === null ? '' : `${file}: `}${triangles} triangles`,
   );
   if (reduce) {
     lines.unshift(`reduced  from ${reduce.trianglesBefore} triangles to ${reduce.triangles}`);
+  }
+  if (simplify) {
+    lines.unshift(`simpler  grid from ${simplify.cellsBefore} cells to ${simplify.cells}`);
   }
   return lines;
 }
@@ -276,7 +288,7 @@ function resultLines(
 }
 
 function secondsLine(seconds: CliReport['seconds']): string {
-  const steps = ['read', 'analyze', 'build', 'extract', 'reduce', 'write'] as const;
+  const steps = ['read', 'analyze', 'build', 'simplify', 'extract', 'reduce', 'write'] as const;
   const taken = steps
     .filter((step) => seconds[step] !== undefined)
     .map((step) => `${step} ${seconds[step]?.toFixed(3)}`);
