@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// `npm run bench -- --whole [MODEL...] [--tolerance 0.002] [--repeat 5]`: the conversion that users get, file by file, by
+// the native command line: whether the result is 2-manifold and embedded, and welds by position to a 2-manifold mesh when
+// it is written as STL; area lost; how far result and input are from each other, both ways, in tolerances; processor
+// time of the whole process, and how much of it goes into making the result embedded.
+import { spawnSync } from 'node:child_process';
+import { join } from 'node:path';
+import { builders } from '../../scripts/build.mjs';
+import { root } from '../../scripts/run.mjs';
+import {
+  buildTools,
+  commandLine,
+  measure,
+  median,
+  modelFiles,
+  nameOf,
+  printTable,
+  withFolder,
+} from './shared.mjs';
+
+const options = commandLine({
+  tolerance: { type: 'string', default: '0.002' },
+  repeat: { type: 'string', default: '5' },
+});
+builders.native();
+const tools = buildTools(['kdm_measure']);
+const program = join(root, 'build/native/src/cli/kdmanifold');
+
+/** Runs the command line: its report, or what it said instead, and its processor time. */
+function convert(file, result, ...args) {
+  const command = [
+    program,
+    file,
+    '-o',
+    result,
+    '--force',
+    '--relative-tolerance',
+    options.tolerance,
+    '--json',
+  ];
+  // `times` prints what this shell's children took, in its second line.
+  const { stdout, stderr, status } = spawnSync(
+    'sh',
+    ['-c', '"$@"; status=$?; times >&2; exit $status', 'sh', ...command, ...args],
+    { encoding: 'utf8', maxBuffer: 1 << 28 },
+  );
+  const said = stderr.trimEnd().split('\n');
+  const seconds = [...said.pop().matchAll(/(\d+)m([\d.]+)s/g)].reduce(
+    (sum, [, minutes, rest]) => sum + 60 * Number(minutes) + Number(rest),
+    0,
+  );
+  said.pop();
+  if (status !== 0) return { refused: said.join(' '), seconds };
+  return { report: JSON.parse(stdout), seconds };
+}
+
+const share = (value) => (value === undefined ? '' : `${Number((100 * value).toPrecision(2))} %`);
+const times = (value) => Number(value.toPrecision(3));
+
+function rowOf(file, folder) {
+  const result = join(folder, 'result.stl');
+  const { report, refused } = convert(file, result, '--check');
+  if (refused !== undefined) return { model: nameOf(file), refused };
+  const welded = measure(tools, result);
+  // In turn, so that a busy machine hurts both alike.
+  const seconds = { embedded: [], manifold: [] };
+  for (let i = 0; i < Number(options.repeat); ++i) {
+    for (const strict of ['embedded', 'manifold']) {
+      seconds[strict].push(convert(file, result, '--strict', strict).seconds);
+    }
+  }
+  const whole = median(seconds.embedded);
+  const { tolerance } = report.grid;
+  const { input, output, error, lost } = report;
+  return {
+    model: nameOf(file),
+    faces: input.triangles,
+    triangles: output.triangles,
+    '2-manifold': output.twoManifold,
+    crossings: output.selfIntersections,
+    'zero area': output.degenerateFaces ?? 0,
+    'STL welds': welded.twoManifold,
+    lost: share(lost?.share),
+    'to input': times(error.toInput.largest / tolerance),
+    'rms ': times(error.toInput.rms / tolerance),
+    'to output': times(error.toOutput.largest / tolerance),
+    rms: times(error.toOutput.rms / tolerance),
+    seconds: times(whole),
+    embedding: share(1 - median(seconds.manifold) / whole),
+    warnings: report.warnings.map(({ code }) => code).join(' '),
+  };
+}
+
+const rows = await withFolder((folder) =>
+  modelFiles(options.models, ['../shared/data']).map((file) => rowOf(file, folder)),
+);
+printTable(rows.filter((row) => row.refused === undefined));
+for (const { model, refused } of rows)
+  if (refused !== undefined) console.log(`${model}: ${refused}`);
