@@ -39,6 +39,7 @@ cmake(
     'CMAKE_CXX_COMPILER=clang++',
     'CMAKE_CXX_FLAGS=-O1',
     'KDM_SANITIZE=ON',
+    'KDM_UNITY=ON',
     'KDM_BUILD_FUZZ=ON',
   ],
   { targets: [...Object.keys(targets), 'seeds'].map((target) => `kdm_fuzz_${target}`) },

@@ -48,7 +48,12 @@ function buildBase(folder, tree) {
     throw new Error(`${base} has no benchmark to build`);
   }
   const build = join(folder, 'build');
-  const set = ['CMAKE_BUILD_TYPE=Release', 'KDM_BUILD_BENCH=ON', 'KDM_BUILD_CLI=OFF'];
+  const set = [
+    'CMAKE_BUILD_TYPE=Release',
+    'KDM_UNITY=ON',
+    'KDM_BUILD_BENCH=ON',
+    'KDM_BUILD_CLI=OFF',
+  ];
   demand('cmake', ['-S', tree, '-B', build, '-G', 'Ninja', ...set.map((one) => `-D${one}`)]);
   demand('cmake', ['--build', build, '-j', jobs, '--target', 'kdm_bench']);
   return join(build, 'tests/bench/kdm_bench');

@@ -27,9 +27,16 @@ export const sizes = [
 /** Builds native tools, unless others are named kdm_bench, kdm_measure and kdm_figures; returns their folder. */
 export function buildTools(targets = ['kdm_bench', 'kdm_measure', 'kdm_figures']) {
   setup('native', 'test');
-  cmake('build/bench', ['CMAKE_BUILD_TYPE=Release', 'KDM_BUILD_BENCH=ON', 'KDM_BUILD_CLI=OFF'], {
-    targets,
-  });
+  cmake(
+    'build/bench',
+    [
+      ...['CMAKE_BUILD_TYPE=Release', 'KDM_UNITY=ON'],
+      ...['KDM_BUILD_BENCH=ON', 'KDM_BUILD_CLI=OFF'],
+    ],
+    {
+      targets,
+    },
+  );
   return join(root, 'build/bench/tests/bench');
 }
 

@@ -32,10 +32,12 @@ struct Command {
   double sharp_degrees = 0;
   kdm::Index samples = 50000;
   bool no_check = false;
+  bool weld = false;
 };
 
 json measure(const Command& command) {
-  const kdm::Mesh mesh = kdm::read_mesh(command.path);
+  kdm::Mesh mesh = kdm::read_mesh(command.path);
+  if (command.weld) mesh = kdm::check::welded_in_single(mesh);
   json report = {{"vertices", mesh.positions.size()}, {"triangles", mesh.triangles.size()}};
   if (!command.no_check) {
     const kdm::check::MeshCheck check = kdm::check::check_mesh(mesh);
@@ -74,6 +76,7 @@ int main(int argc, char** argv) {
   app.add_option("--sharp-edges", command.sharp_degrees,
                  "also say how far the reference's edges sharper than so many degrees are");
   app.add_option("--samples", command.samples, "points on each surface")->capture_default_str();
+  app.add_flag("--weld", command.weld, "join vertices of equal position first");
   app.add_flag("--no-check", command.no_check, "distances only, which is faster");
   CLI11_PARSE(app, argc, argv);
   try {
