@@ -65,6 +65,10 @@ bool CrossingGuard::surely_beside(const Planned& t, const Triangle& other) const
     return true;
   }
   for (int i = 0; i < 3; ++i) {
+    // From the corner across, which lies on this side of the plane, the other triangle could lead
+    // through this one.
+    const VertexId across = t.numbers[next_corner(next_corner(i))];
+    if (across == other[0] || across == other[1] || across == other[2]) continue;
     const Vec3 side = t.corners[next_corner(i)] - t.corners[i];
     if (surely_beyond(t, side.cross(t.doubled_area), one_norm(side) * size, t.corners[i], other)) {
       return true;

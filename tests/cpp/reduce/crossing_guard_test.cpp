@@ -66,6 +66,25 @@ TEST(CrossingGuard, SaysWhatAWholeSearchSays) {
   EXPECT_LT(meeting, kSteps * 9 / 10);
 }
 
+// The last triangle shares a corner with each of the first two and leads from one to the other
+// through both. From either its other corners lie beyond the side that these share.
+TEST(CrossingGuard, SeesWhatLeadsThroughFromASharedCorner) {
+  Mesh folded;
+  folded.positions = {{-0.2777, 0.108, -0.0039},
+                      {0.0038, -0.025, -0.0241},
+                      {0.2002, -0.0511, -0.0299},
+                      {0.0038, 0.0499, -0.0241},
+                      {-0.0195, 0.0199, 0.0693}};
+  folded.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {3, 4, 1}};
+  for (const bool leads_through : {true, false}) {
+    if (!leads_through) folded.positions[4].z() = -0.2;
+    EXPECT_EQ(find_self_intersections(folded).pairs > 0, leads_through);
+    HalfEdges mesh(folded.triangles, static_cast<Index>(folded.positions.size()));
+    CrossingGuard guard(mesh, folded.positions);
+    EXPECT_EQ(guard.would_meet({0, 1}, {mesh.corners(0), mesh.corners(1)}), leads_through);
+  }
+}
+
 TEST(CrossingGuard, RefusesTrianglesWithoutArea) {
   const Mesh sphere = shapes::icosphere(1, 0.5);
   HalfEdges mesh(sphere.triangles, static_cast<Index>(sphere.positions.size()));
