@@ -99,7 +99,8 @@ TEST(LeastAreaPatch, AWavingRingIsSpanned) {
 }
 
 TEST(LeastAreaPatch, LargeRingsAreDivided) {
-  for (const Index corners : {501u, 5000u, check::kSanitized ? 20000u : 100000u}) {
+  for (const Index corners : {501u, 5000u, 100000u}) {
+    if (check::kSanitized && corners > 501) continue;
     const std::vector<Vec3> points = ring(corners, 0.3);
     const std::vector<Triangle> patch = patch_over(points);
     expect_sound(patch, corners);
@@ -121,13 +122,14 @@ TEST(LeastAreaPatch, AnyPolygonWillDo) {
 }
 
 TEST(LeastAreaPatch, ManyLargePolygonsTakeNoLongerThanTheirCorners) {
+  if (check::kSanitized) GTEST_SKIP() << "is about time, of which it takes minutes with sanitizers";
   const std::vector<Vec3> points = ring(500, 0.3);
   std::vector<PointId> polygon;
   for (PointId p = 0; p < 500; ++p) polygon.push_back(p);
   const std::vector<Vec3> beyond(500, Vec3::Zero());
   const std::vector<std::uint64_t> edges;
   LeastAreaPatch patch(points, edges);
-  for (int i = 0; i < (check::kSanitized ? 15 : 1000); ++i) {
+  for (int i = 0; i < 1000; ++i) {
     std::vector<Triangle> out;
     patch.make(polygon, beyond, out);
     ASSERT_EQ(out.size(), 498u);
