@@ -127,6 +127,15 @@ bool fits_in_single(const Lattice& lattice) {
          lattice.step >= std::numeric_limits<float>::min();
 }
 
+// Sides of dropped triangles are no rim, whatever they were linked to.
+Index count_rim_loops(const DualMesh& mesh) {
+  std::vector<SideId> opposite(mesh.opposite.begin(), mesh.opposite.end());
+  for (SideId side = 0; side < opposite.size(); ++side) {
+    if (mesh.dropped(triangle_of(side))) opposite[side] = side;
+  }
+  return static_cast<Index>(find_rim_loops(opposite).size());
+}
+
 }  // namespace
 
 ExtractedMesh extract(const Grid& handle, const ExtractOptions& wanted,
@@ -144,7 +153,7 @@ ExtractedMesh extract(const Grid& handle, const ExtractOptions& wanted,
   ExtractedMesh out;
   const DualMesh mesh = surface_of(grid, options, progress, out.report);
   if (mesh.open) {
-    out.report.boundary_loops = static_cast<Index>(find_rim_loops(mesh.opposite).size());
+    out.report.boundary_loops = count_rim_loops(mesh);
   }
   report_progress(progress, 0.9, "faces");
   std::vector<Vec3> normals;
