@@ -9,7 +9,6 @@
 #include <numbers>
 
 namespace kdm::shapes {
-namespace {}  // namespace
 
 Mesh grid_sheet(int nx, int ny, const std::function<double(double, double)>& height,
                 const std::function<bool(int, int)>& missing) {
