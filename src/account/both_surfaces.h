@@ -42,8 +42,8 @@ class BothSurfaces {
   void leave_out_flat();
   void match();
   bool inside(int winding) const;
-  // Where parts were turned or holes closed, the input itself does not tell what is inside.
-  bool input_tells() const { return grid_.input.closed && grid_.input.turned_parts == 0; }
+  // Where faces were turned or holes closed, the input itself does not tell what is inside.
+  bool input_tells() const { return grid_.input.closed && grid_.input.turned_faces == 0; }
 
   const GridData& grid_;
   const std::vector<Index>& keys_;     // what the result calls the input's faces; empty: numbers

@@ -2,8 +2,6 @@
 // Pairs each triangle with the first one over its points that is left and faces the other way.
 #include "prepare/cancel.h"
 
-#include "mesh/disjoint_sets.h"
-#include "mesh/edge_sides.h"
 #include "mesh/same_corners.h"
 
 namespace kdm {
@@ -26,44 +24,29 @@ std::vector<TriangleId> find_candidates(std::size_t triangles, const Topology& t
 
 }  // namespace
 
-Marks find_opposite_pairs(std::span<const Triangle> triangles, Index points,
-                          const Topology& topology) {
-  const std::vector<TriangleId> candidates = find_candidates(triangles.size(), topology);
-  std::vector<Triangle> corners;
-  for (const TriangleId t : candidates) corners.push_back(triangles[t]);
+Marks find_opposite_pairs(std::span<const Triangle> triangles, Index points) {
   Marks paired(triangles.size());
-  const auto number_of = [&](const SortedCorners& c) { return candidates[c.triangle]; };
-  for_each_corner_set(corners, points, [&](std::span<const SortedCorners> group) {
+  for_each_corner_set(triangles, points, [&](std::span<const SortedCorners> group) {
     for (std::size_t a = 0; a < group.size(); ++a) {
-      for (std::size_t b = a + 1; b < group.size() && !paired.test(number_of(group[a])); ++b) {
-        if (paired.test(number_of(group[b])) || group[a].turned == group[b].turned) continue;
-        paired.set(number_of(group[a]));
-        paired.set(number_of(group[b]));
+      for (std::size_t b = a + 1; b < group.size() && !paired.test(group[a].triangle); ++b) {
+        if (paired.test(group[b].triangle) || group[a].turned == group[b].turned) continue;
+        paired.set(group[a].triangle);
+        paired.set(group[b].triangle);
       }
     }
   });
   return paired;
 }
 
-bool some_part_cancels(std::span<const Triangle> triangles, Index points,
-                       const Topology& topology) {
-  const Marks cancelled = find_opposite_pairs(triangles, points, topology);
-  if (!cancelled.any()) return false;
-  DisjointSets parts(triangles.size());
-  EdgeSides(triangles, points).for_each_edge([&](PointId, std::span<const EdgeSide> edge) {
-    for (const EdgeSide& s : edge) parts.join(triangle_of(edge[0].side), triangle_of(s.side));
-  });
-  Marks something_is_left(triangles.size());
-  for (TriangleId t = 0; t < triangles.size(); ++t) {
-    if (!cancelled.test(t)) something_is_left.set(parts.find(t));
-  }
-  constexpr Index kFewest = 8;
-  std::vector<Index> size(triangles.size(), 0);
-  for (TriangleId t = 0; t < triangles.size(); ++t) {
-    const Index part = parts.find(t);
-    if (!something_is_left.test(part) && ++size[part] == kFewest) return true;
-  }
-  return false;
+Marks find_opposite_pairs(std::span<const Triangle> triangles, Index points,
+                          const Topology& topology) {
+  const std::vector<TriangleId> candidates = find_candidates(triangles.size(), topology);
+  std::vector<Triangle> corners;
+  for (const TriangleId t : candidates) corners.push_back(triangles[t]);
+  const Marks found = find_opposite_pairs(corners, points);
+  Marks paired(triangles.size());
+  for (std::size_t i = 0; i < candidates.size(); ++i) paired.set(candidates[i], found.test(i));
+  return paired;
 }
 
 }  // namespace kdm

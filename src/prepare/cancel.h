@@ -16,9 +16,7 @@ namespace kdm {
 Marks find_opposite_pairs(std::span<const Triangle> triangles, Index points,
                           const Topology& topology);
 
-/// Tells whether all triangles of some part, joined by edges of any kind, are in such pairs, so
-/// that nothing is left of the part without them. Parts of fewer than eight triangles do not count:
-/// four on either side are the fewest that may enclose something.
-bool some_part_cancels(std::span<const Triangle> triangles, Index points, const Topology& topology);
+/// The same without a topology, which tells quickly where there may be pairs.
+Marks find_opposite_pairs(std::span<const Triangle> triangles, Index points);
 
 }  // namespace kdm

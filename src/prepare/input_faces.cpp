@@ -10,10 +10,12 @@
 #include "mesh/check_positions.h"
 #include "prepare/cancel.h"
 #include "prepare/copies.h"
+#include "prepare/diagonals.h"
 #include "prepare/edit_faces.h"
 #include "prepare/extent.h"
 #include "prepare/non_manifold_edges.h"
 #include "prepare/repair_faces.h"
+#include "prepare/two_sided.h"
 #include "prepare/weld.h"
 #include "text/compose.h"
 
@@ -124,10 +126,11 @@ void describe(InputFaces& faces) {
 void make_closed(InputFaces& faces, const BuildOptions& options) {
   const bool repair = options.inside == InsideRule::kRepair;
   if (!faces.topology.closed() && !repair) throw_not_closed(faces);
-  const auto points = static_cast<Index>(faces.points.size());
-  if (repair &&
-      (!faces.topology.closed() || some_part_cancels(faces.triangles, points, faces.topology))) {
-    repair_faces(faces, options, tolerance_of(options, faces.report.extent));
+  const double tolerance = tolerance_of(options, faces.report.extent);
+  if (repair && match_diagonals(faces, tolerance) > 0) find_topology(faces);
+  if (repair && (!faces.topology.closed() ||
+                 some_part_has_two_sides(faces.triangles, faces.points, faces.topology))) {
+    repair_faces(faces, options, tolerance);
     if (faces.repair) return;
   }
   if (repair) {

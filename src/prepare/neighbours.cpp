@@ -8,9 +8,12 @@
 #include <array>
 
 #include "geometry/triangle.h"
+#include "mesh/disjoint_sets.h"
 #include "mesh/edge_sides.h"
 #include "mesh/same_corners.h"
 #include "mesh/sort.h"
+#include "prepare/cancel.h"
+#include "prepare/two_sided.h"
 
 namespace kdm {
 namespace {
@@ -102,30 +105,27 @@ class NeighbourWalk {
   bool is_copy(TriangleId triangle) const { return result_.copy_of[triangle] != kNone; }
 
   // Marks the triangles that are turned rightly as they are. In a component, joined by edges of any
-  // kind, that uses every edge equally often in both directions they are, unless all of its faces
-  // lie back to back.
+  // kind, that uses every edge equally often in both directions they are, unless it has two sides.
   void find_trusted() {
-    TurnedSets components(triangles_.size());
+    DisjointSets components(triangles_.size());
     std::vector<TriangleId> unbalanced;
     bool manifold = true;
     edges_.for_each_edge([&](Index, std::span<const EdgeSide> edge) {
       std::ptrdiff_t balance = 0;
       for (const EdgeSide& s : edge) {
-        components.join(triangle_of(edge[0].side), triangle_of(s.side), false);
+        components.join(triangle_of(edge[0].side), triangle_of(s.side));
         balance += s.forward ? 1 : -1;
       }
       manifold = manifold && edge.size() <= 2;
       if (balance != 0) unbalanced.push_back(triangle_of(edge[0].side));
     });
     if (manifold) return;  // without edges of three or more triangles nothing is in doubt
-    for_each_corner_set(triangles_, points(), [&](std::span<const SortedCorners> group) {
-      std::ptrdiff_t balance = 0;
-      for (const SortedCorners& s : group) balance += s.turned ? 1 : -1;
-      if (balance != 0) trusted_.set(components.find(group[0].triangle).root);
-    });
-    for (const TriangleId t : unbalanced) trusted_.clear(components.find(t).root);
+    const Marks two_sided = find_two_sided_parts(
+        triangles_, points_, find_opposite_pairs(triangles_, points()), components, 2);
+    Marks is_unbalanced(triangles_.size());
+    for (const TriangleId t : unbalanced) is_unbalanced.set(components.find(t));
     for (TriangleId t = 0; t < trusted_.size(); ++t) {
-      trusted_.set(t, trusted_.test(components.find(t).root));
+      trusted_.set(t, !two_sided.test(t) && !is_unbalanced.test(components.find(t)));
     }
   }
 

@@ -149,6 +149,15 @@ TEST(Compare, InnerWallsAreNotLost) {
   // By the rule for odd numbers they bound something.
   EXPECT_EQ(account_of(shapes::overlapping_cubes(), {.inside = InsideRule::kOdd}).lost.inner_area,
             0);
+  // With their backs, faces do not tell by themselves which side of them is inside.
+  Mesh doubled = shapes::overlapping_cubes();
+  for (std::size_t i = 0, count = doubled.triangles.size(); i < count; ++i) {
+    const Triangle t = doubled.triangles[i];
+    doubled.triangles.push_back({t[0], t[2], t[1]});
+  }
+  const Account two_sided = account_of(doubled);
+  EXPECT_EQ(two_sided.lost.area, 0);
+  EXPECT_NEAR(two_sided.lost.inner_area, 3, 0.2);
 }
 
 TEST(Compare, ACavityThatIsFilledIsLost) {
