@@ -153,7 +153,7 @@ bool Triangulator::is_spike(Index tip) const {
 }
 
 void Triangulator::clip(Index tip) {
-  *out_++ = {corners_[previous_[tip]], corners_[tip], corners_[next_[tip]]};
+  *out_++ = {ordered_[previous_[tip]], ordered_[tip], ordered_[next_[tip]]};
   next_[previous_[tip]] = next_[tip];
   previous_[next_[tip]] = previous_[tip];
   next_[tip] = kNone;
@@ -182,14 +182,48 @@ bool Triangulator::clip_spikes(Index first, std::size_t enough) {
 
 void Triangulator::cut(const std::vector<Vec3>& positions, const Index* corners, std::size_t count,
                        Triangle* out) {
-  project(positions, corners, count);
-  if (count == 4 && cross(0, 1, 2) > 0 && cross(1, 2, 3) > 0 && cross(2, 3, 0) > 0 &&
-      cross(3, 0, 1) > 0) {  // a convex quad, the usual case
+  if (count == 3) {
     out[0] = {corners[0], corners[1], corners[2]};
-    out[1] = {corners[0], corners[2], corners[3]};
     return;
   }
-  corners_ = corners;
+  if (count == 4) {
+    project(positions, corners, count);
+    if (cross(0, 1, 2) > 0 && cross(1, 2, 3) > 0 && cross(2, 3, 0) > 0 && cross(3, 0, 1) > 0) {
+      out[0] = {corners[0], corners[1], corners[2]};  // convex, the usual case
+      out[1] = {corners[0], corners[2], corners[3]};
+      return;
+    }
+  }
+  const bool turned = put_in_order(positions, corners, count);
+  project(positions, ordered_.data(), count);
+  cut_ordered(out);
+  if (!turned) return;
+  for (std::size_t i = 0; i + 2 < count; ++i) std::swap(out[i][1], out[i][2]);
+}
+
+// Lets the outline begin at the corner with the lowest coordinates, and run from there towards the
+// lower one of its neighbours. Returns whether it ran the other way.
+bool Triangulator::put_in_order(const std::vector<Vec3>& positions, const Index* corners,
+                                std::size_t count) {
+  const auto below = [&](std::size_t a, std::size_t b) {
+    const Vec3& p = positions[corners[a]];
+    const Vec3& q = positions[corners[b]];
+    return std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end());
+  };
+  std::size_t first = 0;
+  for (std::size_t i = 1; i < count; ++i) {
+    if (below(i, first)) first = i;
+  }
+  const bool turned = below((first + count - 1) % count, (first + 1) % count);
+  ordered_.resize(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    ordered_[i] = corners[(first + (turned ? count - i : i)) % count];
+  }
+  return turned;
+}
+
+void Triangulator::cut_ordered(Triangle* out) {
+  const std::size_t count = ordered_.size();
   out_ = out;
   left_ = count;
   next_.resize(count);

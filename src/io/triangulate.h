@@ -20,7 +20,9 @@ class Triangulator {
   /// `positions[corners[i]]`. Writes count - 2 triangles over these corners to `out`, oriented like
   /// the polygon. The polygon's edges are among the triangles' edges, so neighbours stay joined. A
   /// polygon without area, or one that cuts itself, is cut into count - 2 triangles too, but some
-  /// of them have no area or overlap.
+  /// of them have no area or overlap. A polygon that is no convex quadrilateral is cut in the same
+  /// way wherever its outline starts, and whichever way it runs: a face's back is cut like its
+  /// front.
   void cut(const std::vector<Vec3>& positions, const Index* corners, std::size_t count,
            Triangle* out);
 
@@ -30,6 +32,8 @@ class Triangulator {
     friend bool operator==(const Point& a, const Point& b) { return a.u == b.u && a.v == b.v; }
   };
 
+  bool put_in_order(const std::vector<Vec3>& positions, const Index* corners, std::size_t count);
+  void cut_ordered(Triangle* out);
   void project(const std::vector<Vec3>& positions, const Index* corners, std::size_t count);
   double cross(Index a, Index b, Index c) const;
   bool is_ear(Index tip, bool touching_allowed);
@@ -42,7 +46,7 @@ class Triangulator {
   std::size_t column(double u) const;
   std::size_t row(double v) const;
 
-  const Index* corners_ = nullptr;
+  std::vector<Index> ordered_;  // the corners, in the order in which they are looked at
   Triangle* out_ = nullptr;
   std::vector<Point> points_;
   std::vector<Index> next_, previous_;  // the ring of corners that are left; kNone: removed

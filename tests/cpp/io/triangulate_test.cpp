@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <random>
 
 namespace kdm {
@@ -76,6 +78,35 @@ void expect_proper_everywhere(const Polygon& polygon) {
     other = polygon;
     std::rotate(other.begin(), other.begin() + static_cast<std::ptrdiff_t>(shift), other.end());
     expect_proper(other);
+  }
+}
+
+// The triangles, each from its lowest corner on, in ascending order.
+std::vector<Triangle> sorted(std::vector<Triangle> triangles) {
+  for (Triangle& t : triangles)
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+  std::sort(triangles.begin(), triangles.end());
+  return triangles;
+}
+
+TEST(Triangulate, TheBackIsCutLikeTheFront) {
+  std::mt19937 random(5);
+  for (Index count = 5; count < 40; ++count) {
+    Polygon polygon;
+    for (Index i = 0; i < count; ++i) {
+      const double angle = 2 * std::numbers::pi * i / count;
+      const double radius = 1 + static_cast<double>(random() % 1000) / 700;
+      polygon.emplace_back(radius * std::cos(angle), radius * std::sin(angle), angle);
+    }
+    const std::vector<Triangle> front = sorted(cut(polygon));
+    for (const Index first : {Index{0}, Index{1}, count / 2}) {
+      std::vector<Index> corners(count);
+      for (Index i = 0; i < count; ++i) corners[i] = (first + count - i) % count;
+      std::vector<Triangle> back(count - 2);
+      Triangulator().cut(polygon, corners.data(), count, back.data());
+      for (Triangle& t : back) std::swap(t[1], t[2]);
+      EXPECT_EQ(sorted(back), front) << count << " corners from " << first << " on";
+    }
   }
 }
 
