@@ -43,6 +43,13 @@ constexpr double kMostParting = 1.0 / 4;
 constexpr int kMostPartings = 2;  // between two rounds
 // Sheets of which more pairs cross than this share of their hits cross each other as such.
 constexpr double kMostCrossingSheets = 1.0 / 16;
+// From this round on more than what is faulty is raised. Where parts far thinner than the tolerance
+// touch each other over a long way, a few hits that are raised make their neighbours faulty, and so
+// on along the contact.
+constexpr int kPatience = 8;
+// In how many rounds the hits that are raised reach twice as far.
+constexpr int kDoubling = 2;
+constexpr int kFurthest = 12;  // the largest power of two
 
 class Rounds {
  public:
@@ -68,7 +75,7 @@ class Rounds {
         crossing_pairs.update(mesh_, changed);
       }
       hits_to_remake_.clear();
-      raise_levels(crossing_pairs.triangles());
+      raise_levels(crossing_pairs.triangles(), round);
       if (hits_to_remake_.empty()) break;
       report_progress(progress, 0.9 - 0.2 / (1 + round), "faces");
       crossing_pairs.update(mesh_, remake_part());
@@ -186,9 +193,10 @@ class Rounds {
   }
 
   // Raises the hits of these triangles by a level; the loops round which triangles of the highest
-  // level are become nested. Lists the hits that are to be made anew in `hits_to_remake_`: none if
-  // nothing can be raised any more.
-  void raise_levels(const std::vector<TriangleId>& faulty) {
+  // level are become nested. In late rounds, and where that changes nothing, raises the hits about
+  // them too. Lists the hits that are to be made anew in `hits_to_remake_`: none if nothing can be
+  // raised any more.
+  void raise_levels(const std::vector<TriangleId>& faulty, int round) {
     std::vector<HitId> hits;
     std::vector<LoopId> loops_to_nest;
     for (const TriangleId t : faulty) {
@@ -201,6 +209,34 @@ class Rounds {
     make_set(hits);
     for (const HitId hit : hits) raise(hit, next_level(levels_.hits[hit]));
     for (const LoopId v : loops_to_nest) raise_to_nested(v);
+    if (round >= kPatience || hits_to_remake_.empty()) raise_hits_about(faulty, round);
+  }
+
+  // Raises the hits of these triangles and those about them to the highest level, the further the
+  // later the round.
+  void raise_hits_about(const std::vector<TriangleId>& faulty, int round) {
+    std::vector<HitId> hits;
+    for (const TriangleId t : faulty) hits.push_back(mesh_.hit[t]);
+    make_set(hits);
+    const int doublings = std::clamp((round - kPatience) / kDoubling, 0, kFurthest);
+    add_hits_about(hits, 1 << doublings);
+    for (const HitId hit : hits) raise(hit, EmbedLevel::kCentred);
+  }
+
+  // Appends the hits that share loops with these, those that share loops with them, and so on.
+  void add_hits_about(std::vector<HitId>& hits, int rings) const {
+    Marks known(levels_.hits.size());
+    for (const HitId hit : hits) known.set(hit);
+    for (std::size_t begin = 0; rings > 0 && begin < hits.size(); --rings) {
+      for (const std::size_t end = hits.size(); begin < end; ++begin) {
+        const HitId hit = hits[begin];
+        for (HalfEdgeId h = 3 * hit; h < 3 * hit + 3; ++h) {
+          for (const HalfEdgeId near : loops_.ring(loops_.vertex[h])) {
+            if (!known.test_and_set(near / 3)) hits.push_back(near / 3);
+          }
+        }
+      }
+    }
   }
 
   static EmbedLevel next_level(EmbedLevel level) {

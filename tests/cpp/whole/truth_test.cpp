@@ -76,6 +76,17 @@ TEST_P(Truth, NothingIsLostInSilenceOrClaimedInVain) {
 INSTANTIATE_TEST_SUITE_P(Kinds, Truth, testing::ValuesIn(kShares),
                          [](const auto& given) { return given.param.kind; });
 
+// Bars a tenth as thick as the tolerance that touch along their whole length: one triangle after
+// the other came to cross its neighbours, for hundreds of rounds, until there were 120,000.
+TEST(TruthOfThinContacts, EndsWithoutCrossings) {
+  if (check::kSanitized) GTEST_SKIP() << "about time";
+  const Verdict verdict = judge(make_solid("thin", 149));
+  for (const Check check : {kThrows, kFaulty, kVolume, kFalseClaim, kCrossing, kSilent, kAccount}) {
+    EXPECT_FALSE(verdict.failed[check]) << check_name(check) << '\n' << verdict.words;
+  }
+  EXPECT_LT(verdict.triangles, 3000) << "times those of the input";
+}
+
 TEST(TruthShares, HaveEachKindOnce) {
   std::vector<std::string> named;
   for (const Share& share : kShares) named.push_back(share.kind);
