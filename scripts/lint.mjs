@@ -6,4 +6,6 @@ setup('test');
 run('clang-format', ['--dry-run', '-Werror', ...files('*.cpp', '*.h')]);
 tool('prettier', ['--check', '.', '--log-level', 'warn']);
 tool('eslint', ['.']);
-tool('tsc', ['--noEmit', '-p', 'tsconfig.json']);
+for (const project of ['tsconfig.json', 'web/demo/tsconfig.json']) {
+  tool('tsc', ['--noEmit', '-p', project]);
+}

@@ -83,7 +83,7 @@ export function measure({ positions, indices }: MeshInput): void {
 
 /** What the conversion has measured; shells are meant to be away from the input. */
 export function learnOfError({ input, error }: Report, thickness = 0): void {
-  if (error === null || thickness > 0) return;
+  if (!error || thickness > 0) return;
   distance = Math.max(error.toInput.largest, error.toOutput.largest) / input.extent;
 }
 

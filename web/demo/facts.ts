@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The tables of numbers below the views.
-import type { InputReport, MeshError, ReduceReport, Report } from 'kdmanifold';
+import type { InputReport, LostArea, MeshError, ReduceReport, Report } from 'kdmanifold';
 import { element } from './element';
 
 const number = new Intl.NumberFormat('en');
@@ -25,8 +25,8 @@ export function showFacts(report: Report): void {
     ['Link vertices', number.format(output.linkVertices)],
     ['Flipped edges', number.format(output.flippedEdges)],
     ['Dropped pillows', number.format(output.droppedPillows)],
-    ['Area missing', lost.area > 0 ? percent.format(lost.share) : 'none'],
-    ...(error === null ? [] : distances(error)),
+    ...(lost ? missing(lost) : []),
+    ...(error ? distances(error) : []),
   ]);
   fillTable('grid-facts', [
     ['Build', `${decimal.format(seconds.build)} s`],
@@ -43,6 +43,10 @@ export function showFacts(report: Report): void {
 
 const beforeReduction = ({ trianglesBefore }: ReduceReport): [string, string][] => [
   ['Triangles before reduction', number.format(trianglesBefore)],
+];
+
+const missing = ({ area, share }: LostArea): [string, string][] => [
+  ['Area missing', area > 0 ? percent.format(share) : 'none'],
 ];
 
 // How far the two are apart, in model units.

@@ -82,7 +82,7 @@ export function crossingsOf(mesh: MeshInput, crossing: Uint32Array): Finding<Def
 
 /** Faces of the input that are missing from the result, in whole or part. */
 export function lostOf(mesh: MeshInput, { lost }: Report): Finding[] {
-  return lost.faces.length === 0 ? [] : [faces('lost', mesh, lost.faces)];
+  return !lost || lost.faces.length === 0 ? [] : [faces('lost', mesh, lost.faces)];
 }
 
 /** Where the topology was given up; of very many places a part is shown. */
