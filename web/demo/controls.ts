@@ -2,7 +2,7 @@
 // The controls: what they say, and which of them count.
 import type { BuildOptions, ExtractOptions, MeshInput, Report } from 'kdmanifold';
 import { element } from './element';
-import type { Lines } from './scene';
+import type { Lines } from './view';
 
 /** What is made of an input: solid or shell, which are closed, or a sheet, which is open. */
 export type Make = 'solid' | 'shell' | 'sheet';

@@ -1,6 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The tables of numbers below the views.
-import type { InputReport, LostArea, MeshError, ReduceReport, Report } from 'kdmanifold';
+import type {
+  InputReport,
+  LostArea,
+  MeshError,
+  MeshReport,
+  OutputReport,
+  ReduceReport,
+  Report,
+} from 'kdmanifold';
 import { element } from './element';
 
 const number = new Intl.NumberFormat('en');
@@ -12,14 +20,8 @@ export function showFacts(report: Report): void {
   const { input, grid, output, reduce, seconds, lost, error } = report;
   fillTable('input-facts', inputFacts(input));
   fillTable('output-facts', [
-    ['Vertices', number.format(output.vertices)],
-    ['Triangles', number.format(output.triangles)],
+    ...resultFacts(output),
     ...(reduce === null ? [] : beforeReduction(reduce)),
-    ['Quads', number.format(output.quads)],
-    ['Parts', number.format(output.components)],
-    ['Euler characteristic', number.format(output.eulerCharacteristic)],
-    ['Closed', yes(output.closed)],
-    ['2-manifold', yes(output.twoManifold)],
     ['Inserted vertices', number.format(output.insertedVertices)],
     ['Split vertices', number.format(output.splitVertices)],
     ['Link vertices', number.format(output.linkVertices)],
@@ -40,6 +42,26 @@ export function showFacts(report: Report): void {
     ['Heap', `${decimal.format(report.peakBytes / 2 ** 20)} MB`],
   ]);
 }
+
+/** What can be counted of a level of the result, `apart` from it at most; null: not known yet. */
+export function showReducedFacts(report: MeshReport, apart: number | null): void {
+  fillTable('output-facts', [
+    ...resultFacts(report),
+    ['Furthest from the full result', apart === null ? '…' : decimal.format(apart)],
+  ]);
+}
+
+const resultFacts = (
+  result: Pick<MeshReport, keyof MeshReport & keyof OutputReport>,
+): [string, string][] => [
+  ['Vertices', number.format(result.vertices)],
+  ['Triangles', number.format(result.triangles)],
+  ['Quads', number.format(result.quads)],
+  ['Parts', number.format(result.components)],
+  ['Euler characteristic', number.format(result.eulerCharacteristic)],
+  ['Closed', yes(result.closed)],
+  ['2-manifold', yes(result.twoManifold)],
+];
 
 const beforeReduction = ({ trianglesBefore }: ReduceReport): [string, string][] => [
   ['Triangles before reduction', number.format(trianglesBefore)],

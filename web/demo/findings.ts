@@ -36,17 +36,23 @@ export interface Summary {
   parts: number;
   openParts: number;
   insideOutParts: number;
-  cavities: number;
+  /** Hollows; null: too many parts overlap for them to be told. */
+  cavities: number | null;
+  /** Handles; null where a part is no oriented surface. */
+  tunnels: number | null;
   holes: number;
   closed: boolean;
 }
 
-export function summaryOf({ parts, boundaryLoops, balanced }: MeshDefects): Summary {
+export function summaryOf(defects: MeshDefects): Summary {
+  const { parts, boundaryLoops, balanced, nestingKnown } = defects;
+  const handles = parts.map(({ genus }) => genus);
   return {
     parts: parts.length,
     openParts: parts.filter((part) => !part.closed).length,
     insideOutParts: parts.filter((part) => part.insideOut).length,
-    cavities: parts.filter((part) => part.cavity).length,
+    cavities: nestingKnown ? parts.filter((part) => part.cavity).length : null,
+    tunnels: handles.includes(null) ? null : handles.reduce<number>((sum, n) => sum + Number(n), 0),
     holes: boundaryLoops.length,
     closed: balanced,
   };

@@ -8,6 +8,7 @@ import {
   type MeshInput,
   type Warning,
 } from 'kdmanifold';
+import { showChanges, type Account } from './changes';
 import {
   changeUnit,
   chooseMake,
@@ -34,8 +35,19 @@ import {
 import type { Reply, Source } from './inspect.worker';
 import { Inspector } from './inspector';
 import { showLegend } from './legend';
+import type { Level } from './levels';
+import { LevelsPanel } from './levels-panel';
+import { Measurer } from './measurer';
 import { samples } from './models';
-import { showBusy, showError, showInput, showProgress, showResult, tell } from './panel';
+import {
+  showBusy,
+  showError,
+  showInput,
+  showProgress,
+  showReduced,
+  showResult,
+  tell,
+} from './panel';
 import { Stage } from './scene';
 import type { Side } from './sides';
 import { storyOf } from './story';
@@ -48,17 +60,28 @@ let findings: Finding<DefectKind>[] = [];
 // What the conversion has to say, of the input and of its result.
 let missing: Finding[] = [];
 let made: Finding[] = [];
+let spots: Finding[] = [];
 let summary: Summary | null = null;
 let result: Mesh | null = null;
+// What the result consists of, once that is known.
+let outcome: Account | null = null;
+// Tells again of the result itself, after a level of it.
+let showFull = (): void => undefined;
 let running: AbortController | null = null;
 let settling = 0;
 
 const inspector = new Inspector();
+const measurer = new Measurer();
 const stage = new Stage(
   element('stage'),
   element<HTMLCanvasElement>('canvas'),
   element('input-view'),
   element('output-view'),
+);
+const levels = new LevelsPanel(
+  measurer,
+  (level, isFull) => void showLevel(level, isFull).catch(complain),
+  (level) => void tellOfLevel(level).catch(complain),
 );
 
 async function convert(): Promise<void> {
@@ -66,6 +89,8 @@ async function convert(): Promise<void> {
   if (input === null) return;
   const mine = (running = new AbortController());
   result = null;
+  levels.take(null);
+  tellChanges(null);
   forgetError();
   showBusy();
   try {
@@ -78,20 +103,28 @@ async function convert(): Promise<void> {
       signal: mine.signal,
     });
     if (running !== mine) return;
+    const { report } = conversion;
     result = conversion.mesh;
-    present(result, lostOf(mesh, conversion.report), [
-      ...unresolvedOf(conversion.report),
-      ...inventedOf(result),
-    ]);
-    showResult(conversion, { thickness: options.thicken, warnings });
-    learnOfGaps(conversion.report);
-    learnOfError(conversion.report, options.thicken);
+    spots = unresolvedOf(report);
+    present(result, lostOf(mesh, report), [...spots, ...inventedOf(result)]);
+    showFull = () => showResult(conversion, { thickness: options.thicken, warnings });
+    showFull();
+    learnOfGaps(report);
+    learnOfError(report, options.thicken);
     explainControls();
+    countResult(result).catch(complain);
+    levels.take({ mesh: result, extent: report.input.extent, closed: report.output.twoManifold });
   } catch (error) {
     if (running !== mine) return;
+    spots = [];
     present(null, [], []);
     showError(describeError(error));
   }
+}
+
+// What was stopped on purpose is no news.
+function complain(error: unknown): void {
+  if (!(error instanceof DOMException)) showError(describeError(error));
 }
 
 function present(mesh: Mesh | null, lost: Finding[], painted: Finding[]): void {
@@ -104,15 +137,45 @@ function present(mesh: Mesh | null, lost: Finding[], painted: Finding[]): void {
   updateLegend();
 }
 
+// A level of detail in place of the result.
+async function showLevel(level: Level, isFull: boolean): Promise<void> {
+  result = level.mesh;
+  made = [...spots, ...inventedOf(result)];
+  stage.show('output', result);
+  stage.paint('output', made);
+  updateLegend();
+  if (!isFull) return tellOfLevel(level);
+  showFull();
+  await countResult(result);
+}
+
+async function tellOfLevel(level: Level): Promise<void> {
+  const counts = await measurer.count(level.mesh);
+  if (result !== level.mesh) return;
+  showReduced(counts.report, level.apart);
+  tellChanges({ summary: counts.summary, triangles: counts.report.triangles });
+}
+
+async function countResult(mesh: Mesh): Promise<void> {
+  const { report, summary } = await measurer.count(mesh);
+  if (result === mesh) tellChanges({ summary, triangles: report.triangles });
+}
+
+function tellChanges(after: Account | null): void {
+  outcome = after;
+  showChanges(summary && input && { summary, triangles: trianglesOf(input.mesh) }, outcome);
+}
+
 function updateLegend(): void {
   // What is wrong with the result comes first, what is new in it last.
-  const [spots, invented] = [true, false].map((first) =>
-    made.filter(({ kind }) => (kind === 'unresolved') === first),
-  );
-  showLegend([...missing, ...(spots ?? []), ...findings, ...(invented ?? [])], (kind, visible) =>
+  const invented = made.filter((finding) => !spots.includes(finding));
+  showLegend([...missing, ...spots, ...findings, ...invented], (kind, visible) =>
     stage.showPaint(kind, visible),
   );
 }
+
+const trianglesOf = ({ positions, indices }: MeshInput): number =>
+  indices ? indices.length / 3 : positions.length / 9;
 
 // No format says which way is up; these are mostly scans and models for pictures, the others parts.
 function upOf(name: string): 'y' | 'z' {
@@ -126,6 +189,10 @@ function begin(source: Source): void {
   input = null;
   summary = null;
   findings = [];
+  levels.take(null);
+  measurer.stop();
+  tellChanges(null);
+  spots = [];
   stage.show('input', null);
   present(null, [], []);
   showInput(source.name);
@@ -138,7 +205,7 @@ function begin(source: Source): void {
 
 function take(name: string, mesh: MeshInput, warnings: Warning[] = []): void {
   input = { name, mesh, warnings };
-  showInput(name, (mesh.indices ?? mesh.positions).length / (mesh.indices ? 3 : 9));
+  showInput(name, trianglesOf(mesh));
   measure(mesh);
   explainControls();
   const up = upOf(name);
@@ -168,7 +235,10 @@ function hear(name: string, reply: Reply): void {
     tell('');
     return;
   }
-  if (reply.type === 'defects') summary = reply.summary;
+  if (reply.type === 'defects') {
+    summary = reply.summary;
+    tellChanges(outcome);
+  }
   findings.push(...reply.findings);
   stage.paint('input', reply.findings);
   updateLegend();
@@ -182,7 +252,8 @@ async function save(format: MeshFormat): Promise<void> {
     const url = URL.createObjectURL(new Blob([library.formatMesh(result, format)]));
     const link = document.createElement('a');
     link.href = url;
-    link.download = `${input.name.replace(/\.[^.]*$/, '')}-manifold.${format}`;
+    const name = input.name.replace(/\.[^.]*$/, '');
+    link.download = `${name}-manifold${levels.suffix}.${format}`;
     link.click();
     setTimeout(() => URL.revokeObjectURL(url), 60_000);
   } catch (error) {

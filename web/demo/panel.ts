@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What is to be read on the page: verdict, story, errors, progress.
-import type { Conversion, Warning } from 'kdmanifold';
+import type { Conversion, MeshReport, Warning } from 'kdmanifold';
 import { repairs } from './controls';
 import { element } from './element';
-import { clearFacts, showFacts } from './facts';
+import { clearFacts, showFacts, showReducedFacts } from './facts';
 import { isMostlyNew, remedyOf, verdictOf } from './story';
 
 const number = new Intl.NumberFormat('en');
@@ -57,6 +57,14 @@ export function showResult(
   showFacts(report);
   finish('done');
   enableDownloads(true);
+}
+
+/** A level of the result, `apart` from it at most; null: not known yet. */
+export function showReduced(report: MeshReport, apart: number | null): void {
+  document.body.dataset.verdict = report.manifold ? 'good' : 'bad';
+  element('verdict').textContent = verdictOf(report);
+  element('output-name').textContent = `${number.format(report.triangles)} triangles`;
+  showReducedFacts(report, apart);
 }
 
 function warningOf(message: string): HTMLElement {

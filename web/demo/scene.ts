@@ -1,54 +1,21 @@
 // SPDX-License-Identifier: MIT
-// Two views of one space: one renderer, one camera, one set of controls, so they can never part.
+// Views of one space: one renderer, one camera, one set of controls, so they can never part.
 import {
-  BackSide,
-  BufferGeometry,
-  Color,
   DirectionalLight,
-  Float32BufferAttribute,
-  Group,
-  HemisphereLight,
-  LineBasicMaterial,
-  LineSegments,
-  Mesh,
-  MeshBasicMaterial,
-  MeshStandardMaterial,
   PerspectiveCamera,
   Plane,
-  Scene,
   Sphere,
   Vector3,
   WebGLRenderer,
+  type BufferGeometry,
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { PolygonMeshInput } from 'kdmanifold';
-import { toBufferGeometry } from 'kdmanifold/three';
 import { CreaseFinder } from './crease-finder';
 import type { Finding, Kind } from './findings';
 import { turnByKey } from './keyboard';
-import { paint, type Paint } from './overlay';
 import { sides, type Side } from './sides';
-
-interface View {
-  element: HTMLElement;
-  scene: Scene;
-  /** Holds what is drawn, turned so that up is up. */
-  root: Group;
-  drawn: Drawn[];
-  /** Findings painted over what is drawn. */
-  paints: Paint[];
-}
-
-// The material's name says what the thing is there for.
-type Drawn =
-  | Mesh<BufferGeometry, MeshStandardMaterial | MeshBasicMaterial>
-  | LineSegments<BufferGeometry, LineBasicMaterial>;
-
-/** Which lines are drawn over the faces. */
-export interface Lines {
-  wireframe: boolean;
-  creases: boolean;
-}
+import { View, type Common, type Lines } from './view';
 
 /** The 3D part of the page. */
 export class Stage {
@@ -56,12 +23,16 @@ export class Stage {
   readonly #camera = new PerspectiveCamera(35, 1, 0.01, 100);
   readonly #controls: OrbitControls;
   readonly #views: { input: View; output: View };
+  // Further meshes, beside the result.
+  #beside: View[] = [];
   readonly #light = new DirectionalLight(0xffffff, 2.2);
-  // Faces in front of the plane are not drawn; the inside of the model shows its back faces' colour.
-  readonly #cut = new Plane(new Vector3(0, 1, 0), 1);
+  readonly #common: Common = {
+    cut: new Plane(new Vector3(0, 1, 0), 1),
+    lines: { wireframe: false, creases: true },
+    creases: new CreaseFinder(),
+    draw: () => this.draw(),
+  };
   readonly #host: HTMLElement;
-  readonly #lines: Lines = { wireframe: false, creases: true };
-  readonly #creases = new CreaseFinder();
   #sphere = new Sphere(new Vector3(), 1);
   #centre = new Vector3();
   #scheduled = false;
@@ -77,87 +48,72 @@ export class Stage {
     this.#renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.#renderer.localClippingEnabled = true;
     this.#renderer.setScissorTest(true);
-    this.#views = { input: makeView(input), output: makeView(output) };
+    this.#views = { input: new View(input, this.#common), output: new View(output, this.#common) };
     this.#camera.add(this.#light);
     this.#light.position.set(0.6, 1, 0.8);
     this.#camera.up.set(0, 0, 1);
     this.#controls = new OrbitControls(this.#camera, host);
     this.#controls.addEventListener('change', () => this.draw());
     host.addEventListener('keydown', (event) => {
+      if (event.target !== host) return;
       if (!turnByKey(event, this.#camera, this.#controls.target)) return;
       this.#controls.update();
       this.draw();
     });
     new ResizeObserver(() => this.draw()).observe(host);
-    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.#recolour());
+    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.#restyle());
     this.lookFrom('corner');
   }
 
   /** Shows a mesh, or nothing; input decides where the camera looks. */
   show(which: 'input' | 'output', mesh: PolygonMeshInput | null): void {
-    const view = this.#views[which];
-    for (const object of view.drawn) {
-      object.geometry.dispose();
-      object.material.dispose();
-      view.root.remove(object);
-    }
-    view.drawn = [];
-    this.#clearPaints(view);
-    if (mesh !== null) {
-      const geometry = toBufferGeometry(mesh);
-      if (which === 'input') this.#frame(geometry);
-      view.drawn = this.#dress(geometry);
-      view.root.add(...view.drawn);
-      void this.#addCreases(view, geometry);
-    }
-    this.#applyLines();
-    this.#recolour();
+    const geometry = this.#views[which].show(mesh);
+    if (which === 'input' && geometry !== null) this.#frame(geometry);
+  }
+
+  /** Shows a further mesh in an element of its own, which lies on the stage. */
+  addView(element: HTMLElement, mesh: PolygonMeshInput): void {
+    const view = new View(element, this.#common);
+    view.root.rotation.copy(this.#views.input.root.rotation);
+    view.show(mesh);
+    this.#beside.push(view);
+    this.#fit();
+  }
+
+  /** Takes the further mesh in this element away. */
+  removeView(element: HTMLElement): void {
+    this.#beside.find((view) => view.element === element)?.show(null);
+    this.#beside = this.#beside.filter((view) => view.element !== element);
+    this.#fit();
   }
 
   /** Paints findings over a mesh, in addition to those that are there. */
   paint(which: 'input' | 'output', findings: Finding[]): void {
-    const { paints, root } = this.#views[which];
-    for (const finding of findings) {
-      const made = paint(finding, this.#cut);
-      paints.push(made);
-      root.add(...made.objects);
-    }
+    this.#views[which].paint(findings);
     this.draw();
   }
 
   /** Takes one kind of finding away. */
   unpaint(which: 'input' | 'output', kind: Kind): void {
-    const view = this.#views[which];
-    const gone = view.paints.filter((made) => made.kind === kind);
-    view.paints = view.paints.filter((made) => made.kind !== kind);
-    for (const { objects, dispose } of gone) {
-      view.root.remove(...objects);
-      dispose();
-    }
+    this.#views[which].unpaint(kind);
     this.draw();
   }
 
   /** Shows or hides one kind of finding. */
   showPaint(kind: Kind, visible: boolean): void {
-    for (const { paints } of Object.values(this.#views)) {
-      for (const made of paints) {
-        if (made.kind !== kind) continue;
-        for (const object of made.objects) object.visible = visible;
-      }
-    }
+    for (const view of this.#all()) view.showPaint(kind, visible);
     this.draw();
   }
 
   /** Switches lines on and off. */
   setLines(lines: Lines): void {
-    Object.assign(this.#lines, lines);
-    this.#applyLines();
-    this.draw();
+    Object.assign(this.#common.lines, lines);
+    this.#restyle();
   }
 
   /** Which of the model's axes points up. */
   setUp(axis: 'y' | 'z'): void {
-    for (const { root } of Object.values(this.#views)) {
+    for (const { root } of this.#all()) {
       root.rotation.x = axis === 'y' ? Math.PI / 2 : 0;
     }
     this.#lookAgain();
@@ -165,24 +121,13 @@ export class Stage {
 
   /** Cuts away a share (0 to 1) of the model from the front. */
   setCut(share: number): void {
-    this.#cut.constant = this.#sphere.radius * (1.001 - 2 * share) - this.#centre.y;
+    this.#common.cut.constant = this.#sphere.radius * (1.001 - 2 * share) - this.#centre.y;
     this.draw();
   }
 
   /** Looks at all of the model from one side. */
   lookFrom(side: Side): void {
-    const away = sides[side].clone().normalize();
-    // The narrower of the two angles of view counts.
-    const { clientWidth, clientHeight } = this.#views.input.element;
-    const aspect = Math.min(1, clientWidth / Math.max(clientHeight, 1)) || 1;
-    const angle = Math.atan(aspect * Math.tan((this.#camera.fov * Math.PI) / 360));
-    const distance = (this.#sphere.radius * 1.06) / Math.sin(angle);
-    this.#camera.position.copy(this.#centre).addScaledVector(away, distance);
-    this.#camera.near = distance / 100;
-    this.#camera.far = distance * 20;
-    this.#controls.target.copy(this.#centre);
-    this.#controls.update();
-    this.draw();
+    this.#lookAlong(sides[side].clone().normalize());
   }
 
   /** Draws with the next frame. */
@@ -195,42 +140,12 @@ export class Stage {
     });
   }
 
-  #dress(geometry: BufferGeometry): Drawn[] {
-    const clippingPlanes = [this.#cut];
-    const offset = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };
-    const common = { flatShading: true, roughness: 0.7, clippingPlanes, ...offset };
-    const faces = new Mesh(geometry, new MeshStandardMaterial({ ...common, name: 'front' }));
-    const backs = new Mesh(
-      geometry,
-      new MeshStandardMaterial({ ...common, name: 'back', side: BackSide }),
-    );
-    const wires = new Mesh(
-      geometry,
-      new MeshBasicMaterial({ name: 'wire', wireframe: true, clippingPlanes }),
-    );
-    return [faces, backs, wires];
+  #all(): View[] {
+    return [this.#views.input, this.#views.output, ...this.#beside];
   }
 
-  // The sharp edges come when they are found, unless something else is shown by then.
-  async #addCreases(view: View, geometry: BufferGeometry): Promise<void> {
-    const lines = await this.#creases.find(geometry);
-    if (view.drawn[0]?.geometry !== geometry) return;
-    const ends = new BufferGeometry();
-    ends.setAttribute('position', new Float32BufferAttribute(lines, 3));
-    const material = new LineBasicMaterial({ name: 'crease', clippingPlanes: [this.#cut] });
-    const edges = new LineSegments(ends, material);
-    view.drawn.push(edges);
-    view.root.add(edges);
-    this.#applyLines();
-    this.#recolour();
-  }
-
-  #clearPaints(view: View): void {
-    for (const { objects, dispose } of view.paints) {
-      view.root.remove(...objects);
-      dispose();
-    }
-    view.paints = [];
+  #restyle(): void {
+    for (const view of this.#all()) view.restyle();
   }
 
   #frame(geometry: BufferGeometry): void {
@@ -247,31 +162,29 @@ export class Stage {
     this.lookFrom('corner');
   }
 
-  #applyLines(): void {
-    for (const { drawn } of Object.values(this.#views)) {
-      for (const object of drawn) {
-        const { name } = object.material;
-        if (name === 'wire') object.visible = this.#lines.wireframe;
-        if (name === 'crease') object.visible = this.#lines.creases;
-      }
-    }
+  // Views have become smaller or larger: the model is to fill them, seen from where it is seen.
+  #fit(): void {
+    this.#lookAlong(this.#camera.position.clone().sub(this.#controls.target).normalize());
   }
 
-  #recolour(): void {
-    const dark = matchMedia('(prefers-color-scheme: dark)').matches;
-    const colours: Record<string, string> = dark
-      ? { front: '#7f9cbc', back: '#b4553f', wire: '#c9d8ea', crease: '#e8f0fa' }
-      : { front: '#9db6d3', back: '#d9694c', wire: '#32465c', crease: '#14202e' };
-    for (const { drawn } of Object.values(this.#views)) {
-      for (const { material } of drawn) material.color = new Color(colours[material.name]);
-    }
+  #lookAlong(away: Vector3): void {
+    // The narrower of the two angles of view counts.
+    const { clientWidth, clientHeight } = this.#views.input.element;
+    const aspect = Math.min(1, clientWidth / Math.max(clientHeight, 1)) || 1;
+    const angle = Math.atan(aspect * Math.tan((this.#camera.fov * Math.PI) / 360));
+    const distance = (this.#sphere.radius * 1.06) / Math.sin(angle);
+    this.#camera.position.copy(this.#centre).addScaledVector(away, distance);
+    this.#camera.near = distance / 100;
+    this.#camera.far = distance * 20;
+    this.#controls.target.copy(this.#centre);
+    this.#controls.update();
     this.draw();
   }
 
   #render(): void {
     const host = this.#host.getBoundingClientRect();
     this.#renderer.setSize(host.width, host.height, false);
-    for (const { element, scene } of Object.values(this.#views)) {
+    for (const { element, scene } of this.#all()) {
       const box = element.getBoundingClientRect();
       const [left, bottom] = [box.left - host.left, host.bottom - box.bottom];
       this.#renderer.setViewport(left, bottom, box.width, box.height);
@@ -283,11 +196,4 @@ export class Stage {
       this.#renderer.render(scene, this.#camera);
     }
   }
-}
-
-function makeView(element: HTMLElement): View {
-  const scene = new Scene();
-  const root = new Group();
-  scene.add(new HemisphereLight(0xffffff, 0x8090a4, 1.5), root);
-  return { element, scene, root, drawn: [], paints: [] };
 }

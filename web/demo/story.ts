@@ -38,7 +38,7 @@ export function storyOf(
   if (known.has('flipped')) known.delete('disagreeing');
   const clauses = [...known].map(([kind, n]) => words[kind](n, summary));
   const extent = [count(summary.parts, 'part')];
-  if (summary.cavities > 0) extent.push(count(summary.cavities, 'cavity', 'cavities'));
+  if (summary.cavities) extent.push(count(summary.cavities, 'cavity', 'cavities'));
   const clean = summary.closed && clauses.length === 0 && crossingsKnown;
   const closed = summary.closed ? ' and is closed' : '';
   return [
@@ -49,7 +49,12 @@ export function storyOf(
 }
 
 /** The result in a few words. */
-export function verdictOf(output: OutputReport): string {
+export function verdictOf(
+  output: Pick<
+    OutputReport,
+    'closed' | 'manifold' | 'components' | 'boundaryLoops' | 'eulerCharacteristic'
+  >,
+): string {
   const { components, boundaryLoops, eulerCharacteristic } = output;
   const words = [
     output.closed ? 'Closed' : 'Open',

@@ -1,71 +1,30 @@
 // SPDX-License-Identifier: MIT
 // The demo page as a visitor meets it, in Chromium: built, served, under its own strict policy.
-import { mkdirSync, readFileSync } from 'node:fs';
+import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { load } from '../../../dist/index.js';
-import { differentPixels, launch, openPage } from '../support/browser.js';
+import { differentPixels, openPage } from '../support/browser.js';
+import { few, openDemo, screenshots } from '../support/demo.js';
 import { cube, faults, together, torus } from '../support/meshes.js';
-import { execute, root } from '../support/paths.js';
-import { serve } from '../support/server.js';
 
-const screenshots = join(root, 'tests/js/screenshots');
-let browser;
-let server;
-let kdm;
+let demo;
 let page;
-let errors;
+let kdm;
+let settled;
+let inspected;
+let busyThenSettled;
+let text;
+let file;
+let choose;
+let fact;
 
 beforeAll(async () => {
-  mkdirSync(screenshots, { recursive: true });
-  const vite = join(root, 'node_modules/.bin/vite');
-  const built = execute(vite, ['build', '-c', 'web/demo/vite.config.ts', '--logLevel', 'warn'], {
-    cwd: root,
-  });
-  expect({ status: built.status, stderr: built.stderr }).toMatchObject({ status: 0 });
-  kdm = await load();
-  server = await serve(join(root, 'build/demo'));
-  browser = await launch();
-  ({ page, errors } = await openPage(browser, `${server.address}/`));
+  demo = await openDemo('demo');
+  ({ page, kdm, settled, inspected, busyThenSettled, text, file, choose, fact } = demo);
 }, 180_000);
 
-afterAll(async () => {
-  await browser?.close();
-  await server?.close();
-});
+afterAll(() => demo?.close());
 
-afterEach(() => expect(errors).toEqual([]));
-
-const settled = () =>
-  page.waitForFunction(() => ['done', 'error'].includes(document.body.dataset.state), null, {
-    timeout: 60_000,
-  });
-const inspected = () =>
-  page.waitForFunction(() => document.body.dataset.inspection === 'done', null, {
-    timeout: 60_000,
-  });
-const busyThenSettled = async (action) => {
-  await page.evaluate(() => (document.body.dataset.state = 'waiting'));
-  await action();
-  await settled();
-};
-const text = (selector) => page.locator(selector).innerText();
-const file = (name, mesh) => ({
-  name,
-  mimeType: 'application/octet-stream',
-  buffer: Buffer.from(kdm.formatMesh(mesh, name.split('.').at(-1))),
-});
-const choose = (...args) =>
-  busyThenSettled(() =>
-    page.locator('#file').setInputFiles(args.length > 1 ? file(...args) : args[0]),
-  );
-// Text and edges may come out a shade different; what a control changes is much more.
-const few = 50;
-const fact = async (table, name) => {
-  const row = page
-    .locator(`#${table} tr`)
-    .filter({ has: page.getByRole('rowheader', { name, exact: true }) });
-  return row.locator('td').innerText();
-};
+afterEach(() => expect(demo.errors).toEqual([]));
 
 test('starts with a damaged sample already repaired', async () => {
   await settled();
@@ -215,6 +174,52 @@ test('what is missing is painted on the input, and said first', async () => {
   const bare = await page.locator('#stage').screenshot();
   expect(await differentPixels(page, painted, bare)).toBeGreaterThan(few);
   await page.keyboard.press('Space');
+});
+
+// What the table says once both sides have been counted.
+async function changes() {
+  await inspected();
+  await demo.waitFor(() => !document.querySelector('#changes').innerText.includes('…'));
+  const rows = page.locator('#changes tbody tr');
+  return rows.evaluateAll((list) =>
+    list.map((row) => [...row.children].map((cell) => cell.innerText).join(' | ')),
+  );
+}
+const changed = () => page.locator('#changes .changed th').allInnerTexts();
+
+test('what input and result consist of stands side by side', async () => {
+  const inner = cube(0.5);
+  const hollow = { ...inner, indices: inner.indices.slice().reverse() };
+  // Two tubes that cross, and a cube with a hollow.
+  const mesh = together(torus(), torus(32, 16, 2.5), cube(1, [9, 0, 0]), {
+    ...hollow,
+    positions: hollow.positions.map((value, i) => value + (i % 3 === 0 ? 9 : 0)),
+  });
+  await choose('sides.obj', mesh);
+  expect(await changes()).toEqual([
+    expect.stringMatching(/^Triangles \| 2,072 \| [\d,]+$/),
+    'Parts | 4 | 3',
+    'of them cavities | 1 | 1',
+    'Tunnels | 2 | 1',
+    'Holes | 0 | 0',
+  ]);
+  expect(await changed()).toEqual(['Parts', 'Tunnels']);
+  expect(await text('#changes-hint')).toBe('');
+});
+
+test('what cannot be counted is not made up', async () => {
+  await choose('broken.obj', broken());
+  const told = await changes();
+  expect(told.slice(1)).toEqual([
+    'Parts | 2 | 2',
+    'of them cavities | 0 | 0',
+    'Tunnels | not known | 0',
+    'Holes | 1 | 0',
+  ]);
+  expect(await changed()).toEqual(['Holes']);
+  expect(await text('#changes-hint')).toBe(
+    'Tunnels of the input cannot be counted: its faces are no oriented surface.',
+  );
 });
 
 test('spots where the topology was given up are marked', async () => {
@@ -480,7 +485,7 @@ test('stop ends the reading of a file', async () => {
 });
 
 test('dark and on a narrow screen', async () => {
-  const { page: narrow, errors: narrowErrors } = await openPage(browser, `${server.address}/`, {
+  const { page: narrow, errors: narrowErrors } = await openPage(demo.browser, `${demo.address}/`, {
     viewport: { width: 400, height: 800 },
     colorScheme: 'dark',
   });
