@@ -32,7 +32,7 @@ export class LevelsPanel {
   #running: AbortController | null = null;
   #settling = 0;
 
-  /** `onShow` is told which level is to be shown, `onMeasure` that its distance has become known. */
+  /** `onShow` is told which level is to be shown, `onMeasure` of which one the distance has become known. */
   constructor(
     readonly measurer: Measurer,
     readonly onShow: (level: Level, isFull: boolean) => void,
@@ -124,7 +124,7 @@ export class LevelsPanel {
       if (this.#running !== mine) return;
       level.apart = apart;
       this.#update();
-      if (level === this.shown) this.onMeasure(level);
+      this.onMeasure(level);
     }
   }
 

@@ -8,6 +8,7 @@ import {
   type MeshInput,
   type Warning,
 } from 'kdmanifold';
+import { Beside } from './beside';
 import { showChanges, type Account } from './changes';
 import {
   changeUnit,
@@ -32,6 +33,7 @@ import {
   type Finding,
   type Summary,
 } from './findings';
+import { HeatPanel } from './heat-panel';
 import type { Reply, Source } from './inspect.worker';
 import { Inspector } from './inspector';
 import { showLegend } from './legend';
@@ -81,15 +83,21 @@ const stage = new Stage(
 const levels = new LevelsPanel(
   measurer,
   (level, isFull) => void showLevel(level, isFull).catch(complain),
-  (level) => void tellOfLevel(level).catch(complain),
+  (level) => {
+    beside.tell(level);
+    if (level.mesh === result) tellOfLevel(level).catch(complain);
+  },
 );
+
+const beside = new Beside(stage, () => heat.refresh());
+const heat = new HeatPanel(stage, measurer, complain);
 
 async function convert(): Promise<void> {
   running?.abort();
   if (input === null) return;
   const mine = (running = new AbortController());
   result = null;
-  levels.take(null);
+  forgetLevels();
   tellChanges(null);
   forgetError();
   showBusy();
@@ -122,6 +130,11 @@ async function convert(): Promise<void> {
   }
 }
 
+function forgetLevels(): void {
+  levels.take(null);
+  beside.clear();
+}
+
 // What was stopped on purpose is no news.
 function complain(error: unknown): void {
   if (!(error instanceof DOMException)) showError(describeError(error));
@@ -135,6 +148,7 @@ function present(mesh: Mesh | null, lost: Finding[], painted: Finding[]): void {
   stage.paint('input', missing);
   stage.paint('output', made);
   updateLegend();
+  heat.refresh();
 }
 
 // A level of detail in place of the result.
@@ -144,6 +158,7 @@ async function showLevel(level: Level, isFull: boolean): Promise<void> {
   stage.show('output', result);
   stage.paint('output', made);
   updateLegend();
+  heat.refresh();
   if (!isFull) return tellOfLevel(level);
   showFull();
   await countResult(result);
@@ -189,7 +204,7 @@ function begin(source: Source): void {
   input = null;
   summary = null;
   findings = [];
-  levels.take(null);
+  forgetLevels();
   measurer.stop();
   tellChanges(null);
   spots = [];
@@ -212,6 +227,8 @@ function take(name: string, mesh: MeshInput, warnings: Warning[] = []): void {
   element<HTMLSelectElement>('up').value = up;
   stage.setUp(up);
   stage.show('input', mesh);
+  measurer.keep('input', mesh);
+  heat.forget();
   updateCut();
   void convert();
 }
@@ -323,6 +340,10 @@ function connect(): void {
   for (const button of document.querySelectorAll<HTMLElement>('[data-side]')) {
     button.addEventListener('click', () => stage.lookFrom(button.dataset.side as Side));
   }
+  element('level-keep').addEventListener('click', () => {
+    const level = levels.shown;
+    if (level !== undefined) beside.keep(level);
+  });
   element('cancel').addEventListener('click', stop);
   for (const format of ['obj', 'stl', 'ply'] as const) {
     element(`save-${format}`).addEventListener('click', () => void save(format));

@@ -10,10 +10,11 @@ import {
   type BufferGeometry,
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import type { PolygonMeshInput } from 'kdmanifold';
+import type { Mesh, PolygonMeshInput } from 'kdmanifold';
 import { CreaseFinder } from './crease-finder';
 import type { Finding, Kind } from './findings';
 import { turnByKey } from './keyboard';
+import type { Heat } from './measure';
 import { sides, type Side } from './sides';
 import { View, type Common, type Lines } from './view';
 
@@ -85,6 +86,20 @@ export class Stage {
     this.#beside.find((view) => view.element === element)?.show(null);
     this.#beside = this.#beside.filter((view) => view.element !== element);
     this.#fit();
+  }
+
+  /** The meshes that are shown beside the input. */
+  results(): Mesh[] {
+    return this.#all().flatMap(({ mesh }) =>
+      mesh && mesh !== this.#views.input.mesh ? [mesh as Mesh] : [],
+    );
+  }
+
+  /** Shows distances as colours on those meshes that have some, `largest` as the last colour. */
+  setHeat(heats: Map<Mesh, Heat>, largest: number): void {
+    for (const view of this.#all()) {
+      view.setHeat(heats.get(view.mesh as Mesh) ?? null, largest);
+    }
   }
 
   /** Paints findings over a mesh, in addition to those that are there. */
