@@ -1,13 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Wires the page together: where models come from, when to inspect and convert, where results go.
-import {
-  load,
-  makeManifold,
-  type Mesh,
-  type MeshFormat,
-  type MeshInput,
-  type Warning,
-} from 'kdmanifold';
+import { load, type Mesh, type MeshFormat, type MeshInput, type Warning } from 'kdmanifold';
 import { Beside } from './beside';
 import { showChanges, type Account } from './changes';
 import {
@@ -36,6 +29,8 @@ import {
 import { HeatPanel } from './heat-panel';
 import type { Reply, Source } from './inspect.worker';
 import { Inspector } from './inspector';
+import { convertBoth, convertCoarsely, together } from './join';
+import { Latest } from './latest';
 import { showLegend } from './legend';
 import type { Level } from './levels';
 import { LevelsPanel } from './levels-panel';
@@ -48,9 +43,11 @@ import {
   showProgress,
   showReduced,
   showResult,
+  showRough,
   tell,
 } from './panel';
 import { Stage } from './scene';
+import { SecondModel } from './second-model';
 import type { Side } from './sides';
 import { storyOf } from './story';
 
@@ -69,6 +66,8 @@ let result: Mesh | null = null;
 let outcome: Account | null = null;
 // Tells again of the result itself, after a level of it.
 let showFull = (): void => undefined;
+// What names of files say of it.
+let operation = '';
 let running: AbortController | null = null;
 let settling = 0;
 
@@ -92,7 +91,22 @@ const levels = new LevelsPanel(
 const beside = new Beside(stage, () => heat.refresh());
 const heat = new HeatPanel(stage, measurer, complain);
 
+const second = new SecondModel(
+  stage.makeGizmo((dragging) => {
+    second.update();
+    if (dragging) live.go();
+    else void convert();
+  }),
+  (file) => measurer.read(file),
+  () => stage.ball,
+  convertSoon,
+  complain,
+);
+// Rough results while the second model is dragged.
+const live = new Latest(convertRoughly);
+
 async function convert(): Promise<void> {
+  live.stop();
   running?.abort();
   if (input === null) return;
   const mine = (running = new AbortController());
@@ -103,14 +117,18 @@ async function convert(): Promise<void> {
   showBusy();
   try {
     const options = readOptions();
-    const { mesh, warnings } = input;
-    const conversion = await makeManifold(mesh, {
+    const { mesh } = input;
+    const { joined } = second;
+    const conversion = await convertBoth(mesh, joined, {
       ...options,
-      check: true,
       onProgress: showProgress,
       signal: mine.signal,
     });
     if (running !== mine) return;
+    measurer.keep('input', joined ? together(mesh, joined) : mesh);
+    heat.forget();
+    operation = joined ? `-${joined.operation}` : '';
+    const warnings = [...input.warnings, ...(joined?.warnings ?? [])];
     const { report } = conversion;
     result = conversion.mesh;
     spots = unresolvedOf(report);
@@ -151,6 +169,26 @@ function present(mesh: Mesh | null, lost: Finding[], painted: Finding[]): void {
   heat.refresh();
 }
 
+async function convertRoughly(): Promise<void> {
+  const { joined } = second;
+  if (input === null || joined === null) return;
+  running?.abort();
+  const mine = (running = new AbortController());
+  // All else stays until it is let go: what comes and goes would move the stage.
+  result = null;
+  let mesh: Mesh | null = null;
+  try {
+    const options = { ...readOptions(), signal: mine.signal };
+    ({ mesh } = await convertCoarsely(input.mesh, joined, options));
+  } catch {
+    // Whether it is empty or cannot be, the whole conversion says it in the end.
+  }
+  if (running !== mine) return;
+  showRough(mesh === null ? 'Nothing is left here.' : 'Rough, until you let go.');
+  spots = [];
+  present(mesh, [], []);
+}
+
 // A level of detail in place of the result.
 async function showLevel(level: Level, isFull: boolean): Promise<void> {
   result = level.mesh;
@@ -178,6 +216,7 @@ async function countResult(mesh: Mesh): Promise<void> {
 
 function tellChanges(after: Account | null): void {
   outcome = after;
+  element('changes-input').textContent = second.joined ? 'First model' : 'Input';
   showChanges(summary && input && { summary, triangles: trianglesOf(input.mesh) }, outcome);
 }
 
@@ -205,6 +244,8 @@ function begin(source: Source): void {
   summary = null;
   findings = [];
   forgetLevels();
+  live.stop();
+  second.forget();
   measurer.stop();
   tellChanges(null);
   spots = [];
@@ -227,8 +268,6 @@ function take(name: string, mesh: MeshInput, warnings: Warning[] = []): void {
   element<HTMLSelectElement>('up').value = up;
   stage.setUp(up);
   stage.show('input', mesh);
-  measurer.keep('input', mesh);
-  heat.forget();
   updateCut();
   void convert();
 }
@@ -270,7 +309,7 @@ async function save(format: MeshFormat): Promise<void> {
     const link = document.createElement('a');
     link.href = url;
     const name = input.name.replace(/\.[^.]*$/, '');
-    link.download = `${name}-manifold${levels.suffix}.${format}`;
+    link.download = `${name}${operation || '-manifold'}${levels.suffix}.${format}`;
     link.click();
     setTimeout(() => URL.revokeObjectURL(url), 60_000);
   } catch (error) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The worker that measures: how far what is shown is from the input, and levels from the result, and
-// what can be counted of them.
-import { load, type MeshReport } from 'kdmanifold';
+// what can be counted of them. It reads second models too.
+import { formatFromPath, load, type FileMesh, type MeshReport } from 'kdmanifold';
 import { describeError } from './describe-error';
 import { summaryOf, type Summary } from './findings';
 import { Reference, type Heat, type Surface } from './measure';
@@ -14,7 +14,8 @@ export type Request =
   | { type: 'keep'; name: ReferenceName; surface: Surface }
   | { type: 'heat'; id: number; to: ReferenceName; surface: Surface }
   | { type: 'apart'; id: number; to: ReferenceName; surface: Surface }
-  | { type: 'count'; id: number; surface: Surface };
+  | { type: 'count'; id: number; surface: Surface }
+  | { type: 'read'; id: number; file: File };
 
 /** What can be counted of a mesh. */
 export interface Counts {
@@ -23,7 +24,8 @@ export interface Counts {
 }
 
 /** From the worker, one for each request. */
-export type Reply = { id: number; value: Heat | number | Counts } | { id: number; error: string };
+export type Reply =
+  { id: number; value: Heat | number | Counts | FileMesh } | { id: number; error: string };
 
 // TypeScript has the types of a page or of a worker, never both.
 const scope = globalThis as unknown as {
@@ -48,6 +50,13 @@ async function answer(request: Request): Promise<void> {
   if (request.type === 'keep') {
     surfaces.set(request.name, request.surface);
     references.delete(request.name);
+    return;
+  }
+  if (request.type === 'read') {
+    const { id, file } = request;
+    const content = await file.arrayBuffer();
+    const value = (await load()).parseMesh(content, formatFromPath(file.name), file.name);
+    scope.postMessage({ id, value });
     return;
   }
   const { id, surface } = request;

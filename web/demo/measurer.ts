@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The page's end of the worker that measures.
-import type { MeshInput } from 'kdmanifold';
+import type { FileMesh, MeshInput } from 'kdmanifold';
 import type { Heat, Surface } from './measure';
 import type { Counts, ReferenceName, Reply, Request } from './measure.worker';
 
@@ -40,6 +40,11 @@ export class Measurer {
   /** Parts, tunnels, cavities and the like of a mesh. */
   count(mesh: MeshInput): Promise<Counts> {
     return this.#ask({ type: 'count', surface: surfaceOf(mesh) });
+  }
+
+  /** The mesh of a file. */
+  read(file: File): Promise<FileMesh> {
+    return this.#ask({ type: 'read', file });
   }
 
   /** Stops what is under way: all that wait are told so. */

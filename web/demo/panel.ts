@@ -32,6 +32,18 @@ export function showBusy(): void {
   enableDownloads(false);
 }
 
+/** The page while the second model is on the move: a rough result, or what there is in its place. */
+export function showRough(words: string): void {
+  // The stage must not move under the pointer.
+  const status = element('status');
+  status.style.minHeight ||= `${status.getBoundingClientRect().height}px`;
+  showBusy();
+  document.body.dataset.state = 'dragging';
+  element('busy').hidden = true;
+  element('verdict').textContent = words;
+  element('output-name').textContent = '';
+}
+
 /** How far the worker is. */
 export function showProgress(fraction: number, phase: string): void {
   element<HTMLProgressElement>('progress').value = fraction;
@@ -91,6 +103,7 @@ export function showError(message: string): void {
 
 function finish(state: 'done' | 'error'): void {
   document.body.dataset.state = state;
+  element('status').style.minHeight = '';
   element('busy').hidden = true;
 }
 

@@ -13,8 +13,10 @@ import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { Mesh, PolygonMeshInput } from 'kdmanifold';
 import { CreaseFinder } from './crease-finder';
 import type { Finding, Kind } from './findings';
+import { Gizmo } from './gizmo';
 import { turnByKey } from './keyboard';
 import type { Heat } from './measure';
+import type { Ball } from './second-model';
 import { sides, type Side } from './sides';
 import { View, type Common, type Lines } from './view';
 
@@ -36,6 +38,8 @@ export class Stage {
   readonly #host: HTMLElement;
   #sphere = new Sphere(new Vector3(), 1);
   #centre = new Vector3();
+  // How far away the camera must be for the model to be seen whole.
+  #distance = 1;
   #scheduled = false;
 
   constructor(
@@ -61,7 +65,7 @@ export class Stage {
       this.#controls.update();
       this.draw();
     });
-    new ResizeObserver(() => this.draw()).observe(host);
+    new ResizeObserver(() => this.#fit()).observe(host);
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.#restyle());
     this.lookFrom('corner');
   }
@@ -70,6 +74,17 @@ export class Stage {
   show(which: 'input' | 'output', mesh: PolygonMeshInput | null): void {
     const geometry = this.#views[which].show(mesh);
     if (which === 'input' && geometry !== null) this.#frame(geometry);
+  }
+
+  /** Handles on the input for a second model; `onMove` as of `Gizmo`. */
+  makeGizmo(onMove: (dragging: boolean) => void): Gizmo {
+    const { cut } = this.#common;
+    return new Gizmo(this.#views.input, this.#camera, this.#controls, cut, onMove);
+  }
+
+  /** A ball round the input, in its own coordinates. */
+  get ball(): Ball {
+    return { centre: this.#sphere.center, radius: this.#sphere.radius };
   }
 
   /** Shows a further mesh in an element of its own, which lies on the stage. */
@@ -142,7 +157,14 @@ export class Stage {
 
   /** Looks at all of the model from one side. */
   lookFrom(side: Side): void {
-    this.#lookAlong(sides[side].clone().normalize());
+    const away = sides[side].clone().normalize();
+    const distance = (this.#distance = this.#fittingDistance());
+    this.#camera.position.copy(this.#centre).addScaledVector(away, distance);
+    this.#camera.near = distance / 100;
+    this.#camera.far = distance * 20;
+    this.#controls.target.copy(this.#centre);
+    this.#controls.update();
+    this.draw();
   }
 
   /** Draws with the next frame. */
@@ -177,23 +199,26 @@ export class Stage {
     this.lookFrom('corner');
   }
 
-  // Views have become smaller or larger: the model is to fill them, seen from where it is seen.
+  // Views have become wider or narrower: the model is to fill as much of them as before.
   #fit(): void {
-    this.#lookAlong(this.#camera.position.clone().sub(this.#controls.target).normalize());
+    const before = this.#distance;
+    this.#distance = this.#fittingDistance();
+    const { target } = this.#controls;
+    this.#camera.position
+      .sub(target)
+      .multiplyScalar(this.#distance / before)
+      .add(target);
+    this.#controls.update();
+    this.draw();
   }
 
-  #lookAlong(away: Vector3): void {
+  // From where all of the model is seen.
+  #fittingDistance(): number {
     // The narrower of the two angles of view counts.
     const { clientWidth, clientHeight } = this.#views.input.element;
     const aspect = Math.min(1, clientWidth / Math.max(clientHeight, 1)) || 1;
     const angle = Math.atan(aspect * Math.tan((this.#camera.fov * Math.PI) / 360));
-    const distance = (this.#sphere.radius * 1.06) / Math.sin(angle);
-    this.#camera.position.copy(this.#centre).addScaledVector(away, distance);
-    this.#camera.near = distance / 100;
-    this.#camera.far = distance * 20;
-    this.#controls.target.copy(this.#centre);
-    this.#controls.update();
-    this.draw();
+    return (this.#sphere.radius * 1.06) / Math.sin(angle);
   }
 
   #render(): void {

@@ -104,10 +104,7 @@ test('defects are told in words, counted and painted, each kind to be switched o
     expect.stringMatching(/^New faces that close holes \(\d+\)$/),
   ]);
   await page.screenshot({ path: join(screenshots, 'defects.png') });
-  const picture = async () => {
-    await page.waitForTimeout(300);
-    return page.locator('#input-view').screenshot();
-  };
+  const picture = () => demo.picture('#input-view');
   const painted = await picture();
   for (const kind of ['open', 'crowded', 'flipped']) {
     await switchOf(kind).uncheck();
@@ -118,10 +115,7 @@ test('defects are told in words, counted and painted, each kind to be switched o
 });
 
 test('what closes holes is painted on the result', async () => {
-  const picture = async () => {
-    await page.waitForTimeout(300);
-    return page.locator('#output-view').screenshot();
-  };
+  const picture = () => demo.picture('#output-view');
   const painted = await picture();
   await switchOf('invented').uncheck();
   expect(await differentPixels(page, await picture(), painted)).toBeGreaterThan(few);
@@ -283,10 +277,7 @@ test('strategy and depth change the result', async () => {
 });
 
 test('wireframe, edges and cut change the picture, not the result', async () => {
-  const picture = async () => {
-    await page.waitForTimeout(300);
-    return page.locator('#stage').screenshot();
-  };
+  const picture = () => demo.picture('#stage');
   const plain = await picture();
   await page.locator('#wireframe').check();
   const wired = await picture();
@@ -301,10 +292,7 @@ test('wireframe, edges and cut change the picture, not the result', async () => 
 });
 
 test('up may be another axis', async () => {
-  const picture = async () => {
-    await page.waitForTimeout(300);
-    return page.locator('#stage').screenshot();
-  };
+  const picture = () => demo.picture('#stage');
   // As is usual for OBJ.
   expect(await page.inputValue('#up')).toBe('y');
   // The page may have taken its final form after the model was first looked at.
@@ -317,10 +305,7 @@ test('up may be another axis', async () => {
 });
 
 test('the view goes to a side and comes back', async () => {
-  const picture = async () => {
-    await page.waitForTimeout(300);
-    return page.locator('#input-view').screenshot();
-  };
+  const picture = () => demo.picture('#input-view');
   const before = await picture();
   const seen = [before];
   for (const side of ['front', 'right', 'back', 'left', 'above', 'below']) {
@@ -334,10 +319,7 @@ test('the view goes to a side and comes back', async () => {
 });
 
 test('the view turns by keyboard and comes back', async () => {
-  const picture = async () => {
-    await page.waitForTimeout(300);
-    return page.locator('#input-view').screenshot();
-  };
+  const picture = () => demo.picture('#input-view');
   const before = await picture();
   await page.locator('#stage').focus();
   await page.keyboard.press('ArrowRight');

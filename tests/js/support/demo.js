@@ -58,10 +58,16 @@ export async function openDemo(name, options = {}) {
       busyThenSettled(() =>
         page.locator('#file').setInputFiles(args.length > 1 ? file(...args) : args[0]),
       ),
-    /** A picture once all has been drawn. */
+    /** A picture once it stays as it is: sharp edges come a little later than faces. */
     picture: async (selector) => {
-      await page.waitForTimeout(300);
-      return page.locator(selector).screenshot();
+      let last = null;
+      for (let shots = 0; shots < 10; ++shots) {
+        await page.waitForTimeout(300);
+        const now = await page.locator(selector).screenshot();
+        if (last?.equals(now)) break;
+        last = now;
+      }
+      return last;
     },
     /** What a table of numbers says. */
     fact: async (table, head) => {
