@@ -105,8 +105,35 @@ function arrange(order: Uint32Array, middles: Float64Array, from: number, to: nu
   }
   const extents = high.map((value, k) => value - at(low, k));
   const axis = extents.indexOf(Math.max(...extents));
-  order.subarray(from, to).sort((s, t) => at(middles, 3 * s + axis) - at(middles, 3 * t + axis));
   const middle = (from + to) >> 1;
+  divide(order, (t) => at(middles, 3 * t + axis), from, to, middle);
   arrange(order, middles, from, middle);
   arrange(order, middles, middle, to);
+}
+
+// Puts what is less than the one that belongs to `middle` before it, and what is greater behind it (Hoare's
+// selection).
+function divide(
+  order: Uint32Array,
+  key: (triangle: number) => number,
+  from: number,
+  to: number,
+  middle: number,
+): void {
+  let [first, last] = [from, to - 1];
+  while (first < last) {
+    const pivot = key(at(order, (first + last) >> 1));
+    let [i, j] = [first, last];
+    while (i <= j) {
+      while (key(at(order, i)) < pivot) ++i;
+      while (key(at(order, j)) > pivot) --j;
+      if (i > j) break;
+      [order[i], order[j]] = [at(order, j), at(order, i)];
+      ++i;
+      --j;
+    }
+    if (middle <= j) last = j;
+    else if (middle >= i) first = i;
+    else return;
+  }
 }

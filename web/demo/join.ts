@@ -35,11 +35,13 @@ export function convertBoth(
 export function convertCoarsely(
   mesh: MeshInput,
   second: Joined,
-  { relativeTolerance = 0, inside, parts, signal }: Options,
+  { relativeTolerance = 0, inside, windingThreshold, thicken, parts, signal }: Options,
 ): Promise<Conversion> {
   return boolean(second.operation, [mesh, second.mesh], {
     relativeTolerance: Math.max(relativeTolerance, coarseTolerance),
     inside,
+    windingThreshold,
+    thicken,
     parts,
     signal,
     reduce: false,

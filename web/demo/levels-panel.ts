@@ -133,7 +133,6 @@ export class LevelsPanel {
     this.#running = null;
     running?.abort();
     if (running === null) return;
-    this.measurer.stop();
     this.#update();
     this.#say(reason);
   }

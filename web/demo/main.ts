@@ -177,14 +177,16 @@ async function convertRoughly(): Promise<void> {
   // All else stays until it is let go: what comes and goes would move the stage.
   result = null;
   let mesh: Mesh | null = null;
+  let words = 'Rough, until you let go.';
   try {
     const options = { ...readOptions(), signal: mine.signal };
     ({ mesh } = await convertCoarsely(input.mesh, joined, options));
-  } catch {
-    // Whether it is empty or cannot be, the whole conversion says it in the end.
+  } catch (error) {
+    // The whole conversion says why.
+    words = `No result here (${describeError(error).replace(/:.*/s, '')}).`;
   }
   if (running !== mine) return;
-  showRough(mesh === null ? 'Nothing is left here.' : 'Rough, until you let go.');
+  showRough(words);
   spots = [];
   present(mesh, [], []);
 }

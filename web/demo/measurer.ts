@@ -49,10 +49,7 @@ export class Measurer {
 
   /** Stops what is under way: all that wait are told so. */
   stop(): void {
-    if (this.#waiting.size === 0) return;
-    this.#worker?.terminate();
-    this.#worker = null;
-    this.#fail(new DOMException('stopped', 'AbortError'));
+    if (this.#waiting.size > 0) this.#end(new DOMException('stopped', 'AbortError'));
   }
 
   #ask<T>(question: Question): Promise<T> {
@@ -73,14 +70,16 @@ export class Measurer {
       if ('error' in data) waiting?.reject(new Error(data.error));
       else waiting?.resolve(data.value as never);
     };
-    worker.onerror = (event) => this.#fail(new Error(event.message || 'nothing could be measured'));
+    worker.onerror = (event) => this.#end(new Error(event.message || 'nothing could be measured'));
     for (const [name, surface] of this.#known) {
       worker.postMessage({ type: 'keep', name, surface } satisfies Request);
     }
     return worker;
   }
 
-  #fail(reason: unknown): void {
+  #end(reason: unknown): void {
+    this.#worker?.terminate();
+    this.#worker = null;
     const waiting = [...this.#waiting.values()];
     this.#waiting.clear();
     for (const { reject } of waiting) reject(reason);
