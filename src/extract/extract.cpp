@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 #include <new>
+#include <utility>
 
 #include "extract/dual/edit_log.h"
 #include "extract/dual/grid_view.h"
@@ -25,6 +26,7 @@
 #include "mesh/boundary_loops.h"
 #include "mesh/measure.h"
 #include "mesh/progress.h"
+#include "text/compose.h"
 
 namespace kdm {
 namespace {
@@ -90,20 +92,42 @@ DualMesh surface_of(const GridData& grid, const ExtractOptions& options, const P
   return mesh;
 }
 
+// Sheets enclose nothing, so that there is no part to be chosen by what lies in it.
+void check_for_sheet(const ExtractOptions& options) {
+  if (options.parts != Parts::kAll) {
+    throw Error(ErrorCode::kInvalidOption, "`parts`: only all for a sheet, which encloses nothing");
+  }
+  for (const auto& [name, size] : {std::pair("drop_parts", options.drop_parts),
+                                   std::pair("drop_cavities", options.drop_cavities)}) {
+    if (size == 0) continue;
+    throw Error(ErrorCode::kInvalidOption,
+                compose("`{}`: not for a sheet, which encloses nothing", name));
+  }
+}
+
 // Leaves parts out of a solid's mesh.
-void leave_parts_out(const GridData& grid, Parts wanted, ExtractedMesh& out) {
-  const KeptParts kept = keep_parts(wanted, grid.tolerance * grid.lattice.step, out);
+void leave_parts_out(const GridData& grid, const ExtractOptions& options, ExtractedMesh& out) {
+  const auto faces = out.triangles.size() + out.quads.size();
+  const KeptParts kept = keep_parts(options, grid.tolerance * grid.lattice.step, out);
   out.report.dropped_parts = kept.dropped;
+  out.report.small_parts = kept.small_parts.count;
+  out.report.small_parts_volume = kept.small_parts.volume;
+  out.report.small_cavities = kept.small_cavities.count;
+  out.report.small_cavities_volume = kept.small_cavities.volume;
   out.report.dropped_crumbs = kept.crumbs;
   out.report.invented_area = kept.invented_area;
-  if (kept.dropped + kept.crumbs > 0 && out.report.crossings.value_or(0) > 0) {
+  const bool some_went = out.triangles.size() + out.quads.size() < faces;
+  if (some_went && out.report.crossings.value_or(0) > 0) {
     out.report.crossings = find_self_intersections(out).pairs;  // some went with the parts
   }
 }
 
 // Throws if nothing is left, with what to do about it.
-void check_not_empty(const GridData& grid, const Mesh& out) {
+void check_not_empty(const GridData& grid, const ExtractedMesh& out) {
   if (!out.triangles.empty() || !out.quads.empty()) return;
+  if (out.report.small_parts > 0) {
+    throw Error(ErrorCode::kEmptyResult, "all parts of the result are smaller than `drop_parts`");
+  }
   if (!grid.operands.empty()) {
     throw Error(ErrorCode::kEmptyResult,
                 "the Boolean operation leaves nothing, or nothing that is wider than the tolerance "
@@ -142,9 +166,7 @@ ExtractedMesh extract(const Grid& handle, const ExtractOptions& wanted,
                       const Progress& progress) try {
   check_options(wanted);
   const GridData& grid = handle.data();
-  if (grid.sheet && wanted.parts != Parts::kAll) {
-    throw Error(ErrorCode::kInvalidOption, "`parts`: only all for a sheet, which encloses nothing");
-  }
+  if (grid.sheet) check_for_sheet(wanted);
   ExtractOptions options = wanted;
   if (options.strict == Strict::kEmbedded && (options.quads || !fits_in_single(grid.lattice))) {
     options.strict = Strict::kManifold;
@@ -169,7 +191,7 @@ ExtractedMesh extract(const Grid& handle, const ExtractOptions& wanted,
     }
     append_exact(grid.exact, options, out);
   }
-  if (!grid.sheet) leave_parts_out(grid, options.parts, out);
+  if (!grid.sheet) leave_parts_out(grid, options, out);
   check_not_empty(grid, out);
   out.warnings = collect_warnings(grid.input, grid.stats, out.report, area_of(out));
   report_progress(progress, 1.0, "faces");

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "mesh/boxes.h"
 #include "mesh/disjoint_sets.h"
@@ -20,6 +21,8 @@ struct Part {
   Shell shell;
   double invented_area = 0;
   bool keep = true;
+
+  double size() const { return (shell.bounds.max - shell.bounds.min).norm(); }
 };
 
 class Parting {
@@ -33,7 +36,7 @@ class Parting {
     constexpr double kLargest = 16;  // tolerances
     for (Part& part : parts_) {
       const double thickness = 2 * std::abs(part.measure.volume) / part.measure.area;
-      const double size = (part.shell.bounds.max - part.shell.bounds.min).norm();
+      const double size = part.size();
       if (part.invented_area == 0 || thickness > tolerance) continue;
       if (part.measure.volume > 0 && size > kLargest * tolerance) continue;
       part.keep = false;
@@ -60,6 +63,24 @@ class Parting {
       if (stays || !parts_[p].keep) continue;
       parts_[p].keep = false;
       ++kept.dropped;
+    }
+  }
+
+  void drop_small(const ExtractOptions& options, KeptParts& kept) {
+    std::vector<bool> small;
+    for (const Part& part : parts_) {
+      small.push_back(part.size() <
+                      (part.measure.volume > 0 ? options.drop_parts : options.drop_cavities));
+    }
+    const std::vector<Index> gone_with = outermost(small);
+    for (Index p = 0; p < parts_.size(); ++p) {
+      const Index outer = gone_with[p];
+      if (outer == kNone || !parts_[p].keep) continue;
+      parts_[p].keep = false;
+      const bool material = parts_[outer].measure.volume > 0;
+      SmallShells& shells = material ? kept.small_parts : kept.small_cavities;
+      shells.volume += material ? parts_[p].measure.volume : -parts_[p].measure.volume;
+      if (outer == p) ++shells.count;
     }
   }
 
@@ -94,10 +115,7 @@ class Parting {
     faces_.for_each_triangle([&](Index face, const Triangle& t) {
       for (const Index v : t) grow(parts_[part_of_[face]].shell.bounds, mesh_.positions[v]);
     });
-    for (Part& part : parts_) {
-      part.measure.centre = centre_of(part.shell.bounds);
-      part.shell.closed = true;
-    }
+    for (Part& part : parts_) part.measure.centre = centre_of(part.shell.bounds);
     faces_.for_each_triangle([&](Index face, const Triangle& t) {
       Part& part = parts_[part_of_[face]];
       const double before = part.measure.area;
@@ -106,18 +124,52 @@ class Parting {
     });
   }
 
-  // By how many parts each is enclosed.
-  std::vector<Index> depths() const {
-    std::vector<Index> depth(parts_.size(), 0);
+  // Which lie in which, of the parts for which `counts(part)` holds; nothing if there are too many
+  // to find that out.
+  template <typename Counts>
+  std::optional<std::vector<Enclosure>> enclosures(const Counts& counts) const {
     const ScaledPositions scaled = scale_to_one(mesh_.positions);
     std::vector<Shell> shells;
     for (const Part& part : parts_) {
       shells.push_back(part.shell);
+      shells.back().closed = counts(part);
       for (Vec3* corner : {&shells.back().bounds.min, &shells.back().bounds.max}) {
         for (int i = 0; i < 3; ++i) (*corner)[i] = std::ldexp((*corner)[i], -scaled.exponent);
       }
     }
-    const auto pairs = find_enclosures(faces_, scaled.positions, part_of_, shells);
+    return find_enclosures(faces_, scaled.positions, part_of_, shells);
+  }
+
+  // Per part the small one that it goes with, which lies in no other small one; kNone if it stays.
+  // If nobody knows what lies in what, whatever is no larger than the largest small one goes by
+  // itself: so nothing that lies in a part that goes is left over.
+  std::vector<Index> outermost(const std::vector<bool>& small) const {
+    double largest = 0;
+    for (Index p = 0; p < parts_.size(); ++p) {
+      if (small[p]) largest = std::max(largest, parts_[p].size());
+    }
+    const auto counts = [&](const Part& part) { return part.size() <= largest; };
+    std::vector<Index> with(parts_.size(), kNone);
+    const auto pairs = enclosures(counts);
+    for (Index p = 0; p < parts_.size(); ++p) {
+      if (pairs ? small[p] : counts(parts_[p])) with[p] = p;
+    }
+    if (!pairs) return with;
+    for (const Enclosure& pair : *pairs) {
+      if (!small[pair.outer]) continue;
+      Index& outer = with[pair.inner];
+      if (outer == kNone || outer == pair.inner ||
+          parts_[pair.outer].size() > parts_[outer].size()) {
+        outer = pair.outer;
+      }
+    }
+    return with;
+  }
+
+  // By how many parts each is enclosed.
+  std::vector<Index> depths() const {
+    std::vector<Index> depth(parts_.size(), 0);
+    const auto pairs = enclosures([](const Part&) { return true; });
     if (pairs) {
       for (const Enclosure& pair : *pairs) ++depth[pair.inner];
     } else {
@@ -171,14 +223,16 @@ void keep_only(const Parting& parting, Mesh& mesh) {
 
 }  // namespace
 
-KeptParts keep_parts(Parts wanted, double tolerance, Mesh& mesh) {
+KeptParts keep_parts(const ExtractOptions& options, double tolerance, Mesh& mesh) {
   KeptParts kept;
   const bool closed_holes = std::find(mesh.source_faces.begin(), mesh.source_faces.end(), kNone) !=
                             mesh.source_faces.end();
-  if (wanted == Parts::kAll && !closed_holes) return kept;
+  const bool some_small = options.drop_parts > 0 || options.drop_cavities > 0;
+  if (options.parts == Parts::kAll && !some_small && !closed_holes) return kept;
   Parting parting(mesh);
   parting.drop_crumbs(tolerance, kept);
-  parting.choose(wanted, kept);
+  parting.choose(options.parts, kept);
+  if (some_small) parting.drop_small(options, kept);
   kept.invented_area = parting.invented_area();
   keep_only(parting, mesh);
   return kept;

@@ -39,6 +39,16 @@ void warn_of_losses(const InputReport& input, const ExtractReport& report, Colle
            compose("parts of the result were left out, as the option parts says: {}",
                    report.dropped_parts));
   }
+  if (report.small_parts > 0) {
+    to.add("PARTS_DROPPED", compose("{} left out as smaller than asked for, with a volume of {}",
+                                    count(report.small_parts, "part was", "parts were"),
+                                    rounded(report.small_parts_volume)));
+  }
+  if (report.small_cavities > 0) {
+    to.add("CAVITIES_FILLED", compose("{} filled as smaller than asked for, with a volume of {}",
+                                      count(report.small_cavities, "cavity was", "cavities were"),
+                                      rounded(report.small_cavities_volume)));
+  }
 }
 
 void warn_of_exactness(const InputReport& input, const GridStats& grid, const ExtractReport& report,

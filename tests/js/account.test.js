@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a result lacks and how far it is from its input: the same by all ways into the package.
 import { load, makeManifold } from '../../dist/index.js';
-import { cube, together, torus } from './support/meshes.js';
+import { cube, faults, together, torus } from './support/meshes.js';
 
 let kdm;
 beforeAll(async () => {
@@ -42,6 +42,32 @@ test('without check nothing is measured, but what is lost is told', async () => 
   expect(report.lost.parts).toBe(1);
   expect(report.lost.faces).toEqual(Uint32Array.of(12, 13));
   expect(['AREA_LOST', 'PARTS_LOST']).toContain(report.warnings[0].code);
+});
+
+test('parts and cavities smaller than asked for go, and all of it is told', async () => {
+  const cavity = cube(1);
+  cavity.indices.reverse();
+  const input = together(cube(4), cavity, cube(0.5, [10, 0, 0]));
+  const options = { tolerance: 0.01, dropParts: 0.9, dropCavities: 1.8 };
+  const { mesh, report } = await makeManifold(input, options);
+  expect(faults(mesh)).toEqual([]);
+  expect(report.output).toMatchObject({ components: 1, smallParts: 1, smallCavities: 1 });
+  expect(report.output.volume).toBeCloseTo(64, 1);
+  expect(report.output.smallPartsVolume).toBeCloseTo(0.125, 2);
+  expect(report.output.smallCavitiesVolume).toBeCloseTo(1, 1);
+  expect(report.lost.area).toBeCloseTo(1.5 + 6, 1);
+  expect(report.warnings.map(({ code }) => code)).toEqual([
+    'AREA_LOST',
+    'PARTS_DROPPED',
+    'CAVITIES_FILLED',
+  ]);
+  const grid = kdm.buildGrid(input, { tolerance: 0.01 });
+  expect(grid.extract().report).toMatchObject({ smallParts: 0, smallCavities: 0 });
+  expect(grid.extract({ dropCavities: 1.8 }).report).toMatchObject({
+    smallParts: 0,
+    smallCavities: 1,
+  });
+  grid.delete();
 });
 
 test('walls within the solid are not lost', async () => {

@@ -258,6 +258,19 @@ const table = [
     message,
   ]),
   [
+    'parts that are all too small',
+    () => {
+      const grid = kdm.buildGrid(cube());
+      try {
+        grid.extract({ dropParts: 4 });
+      } finally {
+        grid.delete();
+      }
+    },
+    'EMPTY_RESULT',
+    /^all parts of the result are smaller than `dropParts`$/,
+  ],
+  [
     'parts of a sheet',
     () => {
       const grid = kdm.buildGrid(cube(), { inside: 'sheet' });

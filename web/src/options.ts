@@ -124,6 +124,17 @@ export interface ExtractOptions {
    */
   parts?: 'all' | 'outer' | 'largest';
   /**
+   * Leave out parts of the result smaller than this, in model units. The size is the diagonal of
+   * the bounding box. What lies in them goes too; parts within cavities count. Not for sheets. 0,
+   * the default: none.
+   */
+  dropParts?: number;
+  /**
+   * Fill cavities of the result smaller than this, in model units. The size is the diagonal of the
+   * bounding box. What lies in them becomes solid too. Not for sheets. 0, the default: none.
+   */
+  dropCavities?: number;
+  /**
    * What the result must be as an index mesh:
    * - `off`: the raw dual surface, whose half-edges are manifold but not its vertex numbers
    * - `manifold`: 2-manifold: vertices are added where two parts of the surface would share an
@@ -249,6 +260,8 @@ export const extractOptions: OptionTable<ExtractOptions> = {
   unfold: { flag: '--no-unfold', kind: 'boolean', default: true },
   linkError: { flag: '--link-error', kind: 'number', least: 0, default: 0 },
   parts: { flag: '--parts', kind: 'choice', words: ['all', 'outer', 'largest'], default: 'all' },
+  dropParts: { flag: '--drop-parts', kind: 'number', least: 0, default: 0 },
+  dropCavities: { flag: '--drop-cavities', kind: 'number', least: 0, default: 0 },
   strict: {
     flag: '--strict',
     kind: 'choice',

@@ -159,6 +159,14 @@ export interface ExtractReport {
   refinedHits: number;
   /** Parts left out because of the option `parts`. */
   droppedParts: number;
+  /** Parts left out because of `dropParts`, with what lay in them. */
+  smallParts: number;
+  /** Volume taken away with them. In cubic model units. */
+  smallPartsVolume: number;
+  /** Cavities filled because of `dropCavities`, with what lay in them. */
+  smallCavities: number;
+  /** Volume filled with them. In cubic model units. */
+  smallCavitiesVolume: number;
   /** Slivers beside closed holes that were left out. */
   droppedCrumbs: number;
   /**
@@ -343,6 +351,14 @@ export interface OutputReport {
   refinedHits: number;
   /** Parts left out because of the option `parts`. */
   droppedParts: number;
+  /** Parts left out because of `dropParts`, with what lay in them. */
+  smallParts: number;
+  /** Volume taken away with them. In cubic model units. */
+  smallPartsVolume: number;
+  /** Cavities filled because of `dropCavities`, with what lay in them. */
+  smallCavities: number;
+  /** Volume filled with them. In cubic model units. */
+  smallCavitiesVolume: number;
   /** Slivers beside closed holes that were left out. */
   droppedCrumbs: number;
   /**
@@ -479,6 +495,10 @@ export const outputKeys = [
   'flippedEdges',
   'refinedHits',
   'droppedParts',
+  'smallParts',
+  'smallPartsVolume',
+  'smallCavities',
+  'smallCavitiesVolume',
   'droppedCrumbs',
   'inventedArea',
   'crossings',

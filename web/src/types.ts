@@ -129,6 +129,7 @@ export interface Warning {
     | 'AREA_LOST'
     | 'PARTS_LOST'
     | 'PARTS_DROPPED'
+    | 'CAVITIES_FILLED'
     | 'TOLERANCE_WIDENED'
     | 'TOPOLOGY_UNRESOLVED'
     | 'TRIANGLES_CROSS'

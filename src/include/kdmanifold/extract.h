@@ -63,6 +63,13 @@ struct ExtractOptions {
   Strict strict = Strict::kEmbedded;
   /// Which parts of the result are kept. Sheets keep all.
   Parts parts = Parts::kAll;
+  /// Leaves out parts smaller than this, with what lies in them. The size of a part is the diagonal
+  /// of its bounding box, in model units; a part within a cavity is one like any other. Not
+  /// negative; 0 leaves out none. Not for sheets.
+  double drop_parts = 0;
+  /// Fills cavities smaller than this, with what lies in them; their size is measured as that of
+  /// parts. Not negative; 0 fills none. Not for sheets.
+  double drop_cavities = 0;
   /// Gives every corner of the faces a normal for shading, from the input's normals at the hits.
   /// The mesh itself stays the same: vertices on a crease are not doubled.
   bool normals = false;
@@ -84,7 +91,11 @@ struct ExtractReport {
   /// without area: 0, unless parts are nearer to each other than 32 bits tell apart, or sheets
   /// cross. Otherwise empty, because crossing pairs are not searched for.
   std::optional<std::uint64_t> crossings;
-  Index dropped_parts = 0;   ///< parts left out because of the option `parts`
+  Index dropped_parts = 0;        ///< parts left out because of the option `parts`
+  Index small_parts = 0;          ///< parts left out because of `drop_parts`, with what lay in them
+  double small_parts_volume = 0;  ///< volume that was taken away with them, in cubic model units
+  Index small_cavities = 0;  ///< cavities filled because of `drop_cavities`, with what lay in them
+  double small_cavities_volume = 0;  ///< volume that was filled with them, in cubic model units
   Index dropped_crumbs = 0;  ///< parts thinner than the tolerance, beside closed holes, left out
   /// Area, in square model units, of the faces that stand for no input face but close a hole. Their
   /// entry in `source_faces` is kNone.

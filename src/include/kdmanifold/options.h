@@ -266,6 +266,22 @@ void for_each_field(Options& options, Visit&& visit) {
                     .help = "which parts of the result are kept",
                     .details = "Sheets keep all."},
         options.parts);
+  visit(OptionField{.name = "drop_parts",
+                    .letter = "S",
+                    .help = "leave out parts of the result smaller than this",
+                    .zero = "none",
+                    .details = "The size is the diagonal of the bounding box. What lies in them "
+                               "goes too; parts within cavities count. Not for sheets.",
+                    .unit = Unit::kModelUnits},
+        options.drop_parts);
+  visit(OptionField{.name = "drop_cavities",
+                    .letter = "S",
+                    .help = "fill cavities of the result smaller than this",
+                    .zero = "none",
+                    .details = "The size is the diagonal of the bounding box. What lies in them "
+                               "becomes solid too. Not for sheets.",
+                    .unit = Unit::kModelUnits},
+        options.drop_cavities);
   visit(OptionField{.name = "strict", .help = "what the result must be as an index mesh"},
         options.strict);
   visit(OptionField{.name = "normals",

@@ -184,6 +184,15 @@ void for_each_field(const ExtractReport& report, Visit&& visit) {
         report.refined_hits);
   visit(ReportField{"dropped_parts", "Parts left out because of the option `parts`"},
         report.dropped_parts);
+  visit(ReportField{"small_parts", "Parts left out because of `drop_parts`, with what lay in them"},
+        report.small_parts);
+  visit(ReportField{"small_parts_volume", "Volume taken away with them", Unit::kModelVolume},
+        report.small_parts_volume);
+  visit(ReportField{"small_cavities",
+                    "Cavities filled because of `drop_cavities`, with what lay in them"},
+        report.small_cavities);
+  visit(ReportField{"small_cavities_volume", "Volume filled with them", Unit::kModelVolume},
+        report.small_cavities_volume);
   visit(ReportField{"dropped_crumbs", "Slivers beside closed holes that were left out"},
         report.dropped_crumbs);
   visit(ReportField{"invented_area",

@@ -5,8 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <initializer_list>
+#include <string>
+#include <vector>
 
 #include "kdmanifold/build.h"
+#include "kdmanifold/error.h"
 #include "support/mesh_check.h"
 #include "support/shapes.h"
 
@@ -42,6 +46,97 @@ TEST(KeepParts, OuterAndLargest) {
   EXPECT_EQ(dropped, 3u);
 }
 
+// Diagonals: 10.39 and 6.93 of the balls' shells, 3.46 of the small ball and of the box.
+TEST(KeepParts, SmallPartsAndCavitiesGo) {
+  const Grid grid = build_grid(scene(), {.relative_tolerance = 0.001});
+  const double whole = describe(extract(grid)).volume;
+  struct Expected {
+    double parts;
+    double cavities;
+    Index small_parts;
+    Index small_cavities;
+    int components;
+  };
+  for (const Expected& e : std::initializer_list<Expected>{{3.4, 6.8, 0, 0, 4},
+                                                           {3.6, 0, 2, 0, 2},
+                                                           {3.4, 7, 0, 1, 2},
+                                                           {3.6, 7, 1, 1, 1},
+                                                           {0, 100, 0, 1, 2}}) {
+    SCOPED_TRACE(e.parts * 1000 + e.cavities);
+    const ExtractedMesh out = extract(grid, {.drop_parts = e.parts, .drop_cavities = e.cavities});
+    const check::MeshCheck mesh = check::check_mesh(out);
+    EXPECT_TRUE(mesh.two_manifold) << mesh.faults();
+    EXPECT_EQ(mesh.components, e.components);
+    EXPECT_EQ(out.report.small_parts, e.small_parts);
+    EXPECT_EQ(out.report.small_cavities, e.small_cavities);
+    EXPECT_EQ(out.report.dropped_parts, 0u);
+    EXPECT_NEAR(mesh.volume,
+                whole - out.report.small_parts_volume + out.report.small_cavities_volume, 1e-4);
+    EXPECT_EQ(out.report.small_parts_volume > 0, e.small_parts > 0);
+    EXPECT_EQ(out.report.small_cavities_volume > 0, e.small_cavities > 0);
+    std::vector<std::string> codes;
+    for (const Warning& warning : out.warnings) codes.push_back(warning.code);
+    EXPECT_EQ(std::count(codes.begin(), codes.end(), "PARTS_DROPPED"), e.small_parts > 0 ? 1 : 0);
+    EXPECT_EQ(std::count(codes.begin(), codes.end(), "CAVITIES_FILLED"),
+              e.small_cavities > 0 ? 1 : 0);
+  }
+}
+
+// A part goes with its cavity, and that is one part, with the volume of its wall.
+TEST(KeepParts, WhatLiesInSmallPartsGoesWithThem) {
+  Mesh mesh = shapes::merged(
+      {shapes::box(Vec3(-9, -9, -9), Vec3(9, 9, 9)),
+       shapes::translated(shapes::cube(), Vec3(20, 0, 0)),
+       shapes::inverted(shapes::box(Vec3(20.25, 0.25, 0.25), Vec3(20.75, 0.75, 0.75)))});
+  mesh.source_faces.assign(mesh.triangles.size(), 7);
+  const KeptParts kept = keep_parts({.drop_parts = 2}, 0.01, mesh);
+  EXPECT_EQ(kept.small_parts.count, 1u);
+  EXPECT_DOUBLE_EQ(kept.small_parts.volume, 0.875);
+  EXPECT_EQ(kept.small_cavities.count, 0u);
+  EXPECT_EQ(mesh.triangles.size(), 12u);
+}
+
+// Too many shells overlap to find out what lies in what: cavities in parts that go do so too.
+TEST(KeepParts, NothingIsLeftOverWhereNestingIsUnknown) {
+  Mesh mesh = shapes::box(Vec3(-9, -9, -9), Vec3(9, 9, 9));
+  for (int i = 0; i < 7000; ++i) {
+    const double size = 0.5 - 0.00001 * i;
+    const Mesh shell = shapes::box(Vec3(20 - size, -size, -size), Vec3(20 + size, size, size));
+    const Mesh turned = i % 2 == 0 ? shell : shapes::inverted(shell);
+    const auto first = static_cast<Index>(mesh.positions.size());
+    mesh.positions.insert(mesh.positions.end(), turned.positions.begin(), turned.positions.end());
+    for (const Triangle& t : turned.triangles) {
+      mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+    }
+  }
+  mesh.source_faces.assign(mesh.triangles.size(), 7);
+  const KeptParts kept = keep_parts({.drop_parts = 2}, 0.0001, mesh);
+  EXPECT_EQ(kept.small_parts.count, 3500u);
+  EXPECT_EQ(kept.small_cavities.count, 3500u);
+  EXPECT_EQ(mesh.triangles.size(), 12u);
+}
+
+TEST(KeepParts, RefusesToDropEverythingAndSheets) {
+  const Grid grid = build_grid(shapes::cube(), {.tolerance = 0.01});
+  EXPECT_EQ(extract(grid, {.drop_parts = 1.7}).triangles.size(), extract(grid).triangles.size());
+  const auto message = [](const Grid& of, const ExtractOptions& options) -> std::string {
+    try {
+      extract(of, options);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(message(grid, {.drop_parts = 1.8}),
+            "all parts of the result are smaller than `drop_parts`");
+  const Grid sheet = build_grid(shapes::cube(), {.tolerance = 0.01, .inside = InsideRule::kSheet});
+  EXPECT_EQ(message(sheet, {.drop_parts = 1}),
+            "`drop_parts`: not for a sheet, which encloses nothing");
+  EXPECT_EQ(message(sheet, {.drop_cavities = 1}),
+            "`drop_cavities`: not for a sheet, which encloses nothing");
+  EXPECT_EQ(message(grid, {.drop_parts = -1}), "drop_parts is -1; it must be a number from 0 on");
+}
+
 TEST(KeepParts, NormalsAndQuadsGoWithTheirFaces) {
   const Grid grid = build_grid(scene(), {.strategy = SplitStrategy::kUniform, .depth = 15});
   const ExtractedMesh out =
@@ -70,7 +165,7 @@ TEST(KeepParts, CrumbsHaveAnInventedFace) {
     mesh.source_faces.assign(mesh.triangles.size(), 7);
     if (invented) mesh.source_faces.back() = kNone;
     mesh.source_faces[0] = kNone;  // the cube is no crumb, whatever it is made of
-    const KeptParts kept = keep_parts(Parts::kAll, 0.01, mesh);
+    const KeptParts kept = keep_parts({}, 0.01, mesh);
     EXPECT_EQ(kept.crumbs, invented ? 1u : 0u);
     EXPECT_EQ(mesh.triangles.size(), invented ? 12u : 24u);
     EXPECT_EQ(mesh.positions.size(), invented ? 8u : 16u);

@@ -205,6 +205,14 @@ const wrong = [
     'a.obj: --parts: only all for a sheet, which encloses nothing',
   ],
   [
+    ['a.obj', '--inside', 'sheet', '--dropCavities', '1'],
+    'a.obj: --dropCavities: not for a sheet, which encloses nothing',
+  ],
+  [
+    ['a.obj', '--drop-parts', '100'],
+    'a.obj: all parts of the result are smaller than --drop-parts',
+  ],
+  [
     ['open.obj', '--largestHole', '0.001'],
     expect.stringMatching(
       /^open\.obj: 1 of 1 holes are wider than --largestHole, which is 0\.001;/,
