@@ -154,7 +154,8 @@ class AdaptiveRule : public SplitRule {
       return split_for_fit(cell);
     }
     if (shells_cross || surface_in_cell_.crossings.has_gaps) return leave_unresolved(cell);
-    if (surface_in_cell_.crossings.some_dropped() || !triangles_cross()) return std::nullopt;
+    if (surface_in_cell_.crossings.some_dropped()) return std::nullopt;
+    if (topology_.is_surely_embedded(surface_in_cell_) || !triangles_cross()) return std::nullopt;
     // Shells cross between the cell's edges, so that no crossing was dropped.
     const bool fits = small || fit_.pieces_fit(surface_in_cell_, LeafVertices::kOneForAll);
     return fits ? leave_unresolved(cell) : split_for_fit(cell);

@@ -8,9 +8,11 @@
 
 namespace kdm {
 
-std::optional<ClosedCurve> FaceSections::find_closed_curve(const CellSurface& cell) {
+std::optional<ClosedCurve> FaceSections::find_closed_curve(const CellSurface& cell,
+                                                           const OneWaySections& one_way) {
   for (int axis = 0; axis < 3; ++axis) {
     for (const bool high : {false, true}) {
+      if (one_way.run_one_way(axis, high)) continue;
       if (const std::optional<ClosedCurve> curve = find_on_face(cell, axis, high)) return curve;
     }
   }

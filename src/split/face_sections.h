@@ -8,6 +8,7 @@
 #include "mesh/marks.h"
 #include "split/cell_surface.h"
 #include "split/member_groups.h"
+#include "split/one_way_sections.h"
 
 namespace kdm {
 
@@ -25,8 +26,9 @@ class FaceSections {
  public:
   /// Returns a closed curve of the first face that has one. A face has one if the surface meets it
   /// in more connected curves than can have ends: an end is a crossing on the face's outline or a
-  /// point of the surface's rim.
-  std::optional<ClosedCurve> find_closed_curve(const CellSurface& cell);
+  /// point of the surface's rim. Faces whose curves run one way are not looked at: they have none.
+  std::optional<ClosedCurve> find_closed_curve(const CellSurface& cell,
+                                               const OneWaySections& one_way);
 
  private:
   std::optional<ClosedCurve> find_on_face(const CellSurface& cell, int axis, bool high);

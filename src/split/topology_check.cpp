@@ -14,7 +14,10 @@ std::optional<TopologyFault> TopologyCheck::find_fault(const CellSurface& cell) 
   // A closed curve says best where to cut. On open surfaces curves may end on the rim of a piece
   // that is no half-disk; then the piece is the fault.
   if (disks || !open_surface_) {
-    if (const std::optional<ClosedCurve> curve = sections_.find_closed_curve(cell)) return *curve;
+    one_way_.find(cell);
+    if (const std::optional<ClosedCurve> curve = sections_.find_closed_curve(cell, one_way_)) {
+      return *curve;
+    }
   }
   if (!disks) return NoDisk{};
   if (const std::optional<PieceId> piece = pillows_.find_pillow(cell)) return Pillow{*piece};

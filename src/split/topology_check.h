@@ -12,6 +12,7 @@
 
 #include "split/cell_surface.h"
 #include "split/face_sections.h"
+#include "split/one_way_sections.h"
 #include "split/pillow_search.h"
 
 namespace kdm {
@@ -36,9 +37,13 @@ class TopologyCheck {
   /// Returns the first fault of the cell, if it has any. The cell's pieces must have been found.
   /// Pieces that bound nothing have none.
   std::optional<TopologyFault> find_fault(const CellSurface& cell);
+  /// Tells whether it is certain that no two triangles cross within the cell, without looking at
+  /// pairs of them. The cell must be the one that was tested last, and have no fault.
+  bool is_surely_embedded(const CellSurface& cell) const { return one_way_.are_of_a_graph(cell); }
 
  private:
   bool open_surface_;
+  OneWaySections one_way_;
   FaceSections sections_;
   PillowSearch pillows_;
 };

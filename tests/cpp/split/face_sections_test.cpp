@@ -24,7 +24,10 @@ TEST(FaceSections, AClosedCurveHasItsOwnBounds) {
   CellSurface surface_in_cell(surface);
   surface_in_cell.find_pieces(cell, lists.entries(children.above));
   ASSERT_EQ(surface_in_cell.pieces.all().size(), 2u);
-  const std::optional<ClosedCurve> curve = FaceSections().find_closed_curve(surface_in_cell);
+  OneWaySections one_way;
+  one_way.find(surface_in_cell);
+  const std::optional<ClosedCurve> curve =
+      FaceSections().find_closed_curve(surface_in_cell, one_way);
   ASSERT_TRUE(curve);
   EXPECT_EQ(curve->axis, 2);
   const double wide = 1 / std::cos(0.5);
