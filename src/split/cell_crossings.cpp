@@ -2,6 +2,17 @@
 #include "split/cell_crossings.h"
 
 namespace kdm {
+namespace {
+
+// Returns the two sides of a cell that meet in an edge of it, a bit for each.
+unsigned sides_of_edge(int edge) {
+  const int axis = edge / 4;
+  const int next = 2 * next_axis(axis) + ((edge & 1) != 0 ? 1 : 0);
+  const int previous = 2 * previous_axis(axis) + ((edge & 2) != 0 ? 1 : 0);
+  return 1u << next | 1u << previous;
+}
+
+}  // namespace
 
 void CellCrossings::collect(const CellView& cell) {
   all.clear();
@@ -28,6 +39,26 @@ void CellCrossings::collect(const CellView& cell) {
         has_touches = has_touches || role == CrossingRole::kTouching;
       }
     }
+  }
+}
+
+bool CellCrossings::form_one_loop() const {
+  for (const auto& [low, high] : around_face) {
+    if ((low != 0 && low != 2) || (high != 0 && high != 2)) return false;
+  }
+  // On a side with two crossings one curve leads from one to the other.
+  unsigned reached = 0;  // sides, a bit for each
+  std::size_t connected = 0;
+  for (;;) {
+    std::size_t now_connected = 0;
+    for (const CellCrossing& crossing : all) {
+      const unsigned sides = sides_of_edge(crossing.edge);
+      if (reached != 0 && (reached & sides) == 0) continue;
+      reached |= sides;
+      ++now_connected;
+    }
+    if (now_connected == connected) return connected == all.size();
+    connected = now_connected;
   }
 }
 

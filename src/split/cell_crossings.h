@@ -32,6 +32,10 @@ struct CellCrossings {
   /// Tells whether some crossings will not be hits. This happens where shells cross and where one
   /// lies within another.
   bool some_dropped() const { return kept < all.size(); }
+  /// Tells whether one curve in which a surface without rims meets the cell's sides passes through
+  /// all crossings. An answer "no" promises nothing: it is given too where a side has more than two
+  /// crossings, so that several curves might pass there.
+  bool form_one_loop() const;
 };
 
 /// Returns the point of a crossing on an edge of the box, in lattice units.

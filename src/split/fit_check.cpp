@@ -31,11 +31,25 @@ bool FitCheck::is_clear_misfit(const LatticeBox& box, std::span<const ListEntry>
       if (!hits_.meets_a_plane(to_vec3(p), kAllPieces, tolerance_)) return true;
     }
   }
-  return false;
+  return joint_vertex_misses(box, crossings);
+}
+
+// Tells whether all hits are sure to be of one piece whose vertex lies off one of their planes.
+bool FitCheck::joint_vertex_misses(const LatticeBox& box, const CellCrossings& crossings) {
+  if (surface_.has_rims() || crossings.some_dropped() || !crossings.form_one_loop()) return false;
+  limit_ = tolerance_;
+  rim_planes_.clear();
+  joint_vertex_ = planned_vertex(box, kAllPieces);
+  const std::span<const PlannedHit> hits = hits_.all();
+  return std::any_of(hits.begin(), hits.end(), [&](const PlannedHit& hit) {
+    return hit.plane->distance(*joint_vertex_) > limit_;
+  });
 }
 
 bool FitCheck::pieces_fit(const CellSurface& cell, LeafVertices vertices) {
   limit_ = vertices == LeafVertices::kOneForAll ? shared_tolerance_ : tolerance_;
+  if (limit_ != tolerance_) joint_vertex_.reset();
+  if (limit_ != tolerance_) joint_vertex_.reset();
   hits_.assign_pieces(cell);
   const std::span<const Piece> pieces = cell.pieces.all();
   if (vertices == LeafVertices::kOneForAll && hits_.empty()) return nothing_bounds(cell);
@@ -80,7 +94,7 @@ bool FitCheck::piece_fits_vertex(const CellSurface& cell, PieceId piece) {
   find_triangles(cell, piece);
   find_rim(cell, piece);
   const LatticeBox& box = cell.triangles.cell();
-  const Vec3 vertex = planned_vertex(box, piece);
+  const Vec3 vertex = joint_vertex_ ? *joint_vertex_ : planned_vertex(box, piece);
   return is_near_planes(vertex) && is_near_triangles(vertex) && is_near_sharp_edge(vertex, cell);
 }
 

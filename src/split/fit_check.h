@@ -13,6 +13,7 @@
 // surface along the rim count like those of hits.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "split/cell_surface.h"
@@ -37,11 +38,13 @@ class FitCheck {
   /// Plans the hits of the cell that is tested next.
   void plan_hits(const LatticeBox& box, const CellCrossings& crossings) {
     hits_.plan(surface_, box, crossings);
+    joint_vertex_.reset();
   }
 
   /// Tells whether a vertex of the surface within the cell lies off the planes of all planned hits,
-  /// so that the cell cannot fit however its pieces lie; or whether surface lies in the cell that
-  /// has no crossings at all. This is cheap, because no pieces are needed. An answer "no" promises
+  /// or all hits are sure to be of one piece and its vertex lies off one of their planes, so that
+  /// the cell cannot fit however its pieces lie; or whether surface lies in the cell that has no
+  /// crossings at all. This is cheap, because no pieces are needed. An answer "no" promises
   /// nothing. Cells with crossings but without hits are never called misfits: all that is in them
   /// may lie within another shell.
   bool is_clear_misfit(const LatticeBox& box, std::span<const ListEntry> entries,
@@ -52,6 +55,7 @@ class FitCheck {
   bool pieces_fit(const CellSurface& cell, LeafVertices vertices);
 
  private:
+  bool joint_vertex_misses(const LatticeBox& box, const CellCrossings& crossings);
   bool piece_fits_vertex(const CellSurface& cell, PieceId piece);
   static bool bounds_solid(const CellSurface& cell, MemberId member);
   static bool nothing_bounds(const CellSurface& cell);
@@ -68,6 +72,7 @@ class FitCheck {
   double shared_tolerance_;
   double limit_ = 0;  // the one of the two that counts
   PlannedHits hits_;
+  std::optional<Vec3> joint_vertex_;  // of the piece that has all hits, if it is known already
   // Of the piece whose vertex is tested:
   std::vector<TriangleId> triangles_;
   std::vector<Plane> rim_planes_;

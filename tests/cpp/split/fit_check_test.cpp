@@ -73,6 +73,35 @@ TEST(FitCheck, ATipBetweenTheEdgesFitsWithinTheToleranceOnly) {
   EXPECT_EQ(ask(scene, 1.1 * kHeight), kFits);
 }
 
+// A block whose top is a saddle: flat amid its corners, which are bent up and down by turns.
+Mesh block_with_saddle(double height) {
+  Mesh mesh;
+  mesh.positions = {{1, 0, 0},  {1, 1, height},   {0, 1, 0},  {-1, 1, -height},
+                    {-1, 0, 0}, {-1, -1, height}, {0, -1, 0}, {1, -1, -height}};
+  for (Index i = 0; i < 8; ++i) {
+    mesh.positions.emplace_back(mesh.positions[i].x(), mesh.positions[i].y(), -1);
+  }
+  mesh.triangles = {{0, 2, 4}, {0, 4, 6}};
+  for (Index i = 0; i < 8; ++i) {
+    const Index j = (i + 1) % 8;
+    mesh.triangles.push_back({8 + i, 8 + j, j});
+    mesh.triangles.push_back({8 + i, j, i});
+    if (i % 2 == 1) mesh.triangles.push_back({i - 1, i, j});
+    if (i > 0 && i < 7) mesh.triangles.push_back({8, 8 + j, 8 + i});
+  }
+  return mesh;
+}
+
+// No vertex of the mesh lies in the cell, but the planes at its corners have no point in common.
+TEST(FitCheck, AVertexOffThePlanesOfItsHitsIsAClearMisfit) {
+  constexpr double kHeight = 0.05;
+  const CellScene scene(check::with_room(block_with_saddle(kHeight)), Vec3(-0.8, -0.8, -0.5),
+                        Vec3(0.8, 0.8, 0.5));
+  ASSERT_EQ(scene.surface_in_cell.crossings.kept, 4u);
+  EXPECT_EQ(ask(scene, 0.9 * kHeight), kClearMisfit);
+  EXPECT_EQ(ask(scene, 1.1 * kHeight), kFits);
+}
+
 TEST(FitCheck, TwoSheetsNeedAVertexEach) {
   constexpr double kThickness = 0.02;
   const Mesh slab = shapes::box(Vec3(0, 0, 0), Vec3(1, 1, kThickness));
