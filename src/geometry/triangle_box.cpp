@@ -33,12 +33,6 @@ CornerSides sides_of_corners(const LatticePoint& a, const LatticePoint& b, int a
           right != 0 ? right < 0 : side_of_edge(a, b, axis, right_u, right_v) <= 0};
 }
 
-// Tells whether mesh vertices from `low` to `high` are all below or all above the box, on one axis.
-bool separated_by_interval(std::int32_t low, std::int32_t high, std::int32_t box_low,
-                           std::int32_t box_high) {
-  return below_plane(high, box_low) || !below_plane(low, box_high);
-}
-
 // Returns on which side of the triangle's plane a grid vertex is; 1: where the normal points to.
 int side_of_plane(const LatticeTriangle& t, const std::array<std::int64_t, 3>& normal,
                   const LatticePoint& p) {
@@ -50,12 +44,7 @@ int side_of_plane(const LatticeTriangle& t, const std::array<std::int64_t, 3>& n
 
 }  // namespace
 
-bool edge_meets_box(const LatticePoint& a, const LatticePoint& b, const LatticeBox& box) {
-  if (vertex_in_box(a, box) || vertex_in_box(b, box)) return true;
-  for (int i = 0; i < 3; ++i) {
-    const auto [low, high] = std::minmax(a[i], b[i]);
-    if (separated_by_interval(low, high, box.lo[i], box.hi[i])) return false;
-  }
+bool long_edge_meets_box(const LatticePoint& a, const LatticePoint& b, const LatticeBox& box) {
   for (int axis = 0; axis < 3; ++axis) {
     const auto [left, right] = sides_of_corners(a, b, axis, box);
     if (!left || !right) return false;
@@ -63,14 +52,7 @@ bool edge_meets_box(const LatticePoint& a, const LatticePoint& b, const LatticeB
   return true;
 }
 
-bool triangle_meets_box(const LatticeTriangle& t, const LatticeBox& box) {
-  for (const LatticePoint& p : t) {
-    if (vertex_in_box(p, box)) return true;
-  }
-  for (int i = 0; i < 3; ++i) {
-    const auto [low, high] = std::minmax({t[0][i], t[1][i], t[2][i]});
-    if (separated_by_interval(low, high, box.lo[i], box.hi[i])) return false;
-  }
+bool wide_triangle_meets_box(const LatticeTriangle& t, const LatticeBox& box) {
   const auto normal = area_vector(t);
   LatticePoint front{};
   LatticePoint back{};

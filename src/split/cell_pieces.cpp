@@ -4,14 +4,12 @@
 #include <algorithm>
 #include <numeric>
 
-#include "geometry/triangle_box.h"
-
 namespace kdm {
 
 void CellPieces::find(const CellTriangles& triangles, const CellCrossings& crossings) {
   all_members_.resize(triangles.size());
   std::iota(all_members_.begin(), all_members_.end(), MemberId{0});
-  groups_.connect(triangles, all_members_, triangles.cell());
+  groups_.connect(triangles, all_members_);
   pieces_.clear();
   pieces_.reserve(groups_.count());
   piece_of_.resize(triangles.size());
@@ -31,8 +29,7 @@ void CellPieces::find(const CellTriangles& triangles, const CellCrossings& cross
     Piece& piece = pieces_[piece_of_[triangles.member_of(triangle)]];
     ++piece.rims;
     // Each vertex of the rim is where one of its sides starts.
-    const LatticePoint& start = triangles.surface().triangles[triangle][corner_of(side)];
-    if (vertex_in_box(start, triangles.cell())) --piece.rims;
+    if (triangles.outcodes(triangles.member_of(triangle))[corner_of(side)] == 0) --piece.rims;
   }
   for (const CellCrossing& crossing : crossings.all) {
     const MemberId m = triangles.member_of(crossing.triangle);
@@ -57,7 +54,7 @@ void CellPieces::leave_inner_out(const CellTriangles& triangles) {
   for (MemberId m = 0; m < triangles.size(); ++m) {
     if (!pieces_[piece_of_[m]].is_inner) all_members_.push_back(m);
   }
-  groups_.connect(triangles, all_members_, triangles.cell());
+  groups_.connect(triangles, all_members_);
   count(triangles);
 }
 

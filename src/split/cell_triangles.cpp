@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "split/cell_triangles.h"
 
-#include "geometry/triangle_box.h"
-
 namespace kdm {
 
 void CellTriangles::find(const LatticeBox& cell, std::span<const ListEntry> entries) {
@@ -10,11 +8,15 @@ void CellTriangles::find(const LatticeBox& cell, std::span<const ListEntry> entr
   cell_ = cell;
   triangles_.clear();
   bounds_.clear();
+  outcodes_.clear();
   for (const ListEntry& entry : entries) {
-    if (!triangle_meets_box(surface_.triangles[entry.triangle], cell)) continue;
+    const LatticeTriangle& t = surface_.triangles[entry.triangle];
+    const Outcodes codes = kdm::outcodes(t, cell);
+    if (!triangle_meets_box(t, codes, cell)) continue;
     member_of_[entry.triangle] = size();
     triangles_.push_back(entry.triangle);
     bounds_.push_back({entry.lo, entry.hi});
+    outcodes_.push_back(codes);
   }
 }
 

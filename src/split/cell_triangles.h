@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "geometry/triangle_box.h"
 #include "prepare/surface.h"
 #include "split/triangle_lists.h"
 
@@ -45,6 +46,25 @@ class CellTriangles {
   }
   /// Returns bounds of the member's part in the cell, rounded outwards.
   const LatticeBox& bounds(MemberId member) const { return bounds_[member]; }
+  /// Returns which corners of a member lie in the cell, and beyond which of its sides the others.
+  const Outcodes& outcodes(MemberId member) const { return outcodes_[member]; }
+  /// Returns the face of the cell normal to `axis` at its low or high side, as a flat box.
+  LatticeBox face(int axis, bool high) const {
+    LatticeBox face = cell_;
+    (high ? face.lo : face.hi)[axis] = (high ? face.hi : face.lo)[axis];
+    return face;
+  }
+  /// Returns the member's outcodes for a face of the cell instead of the cell.
+  Outcodes outcodes_at_face(MemberId member, int axis, bool high) const {
+    const unsigned below = 1u << 2 * axis;
+    const unsigned above = 2u << 2 * axis;
+    Outcodes codes = outcodes_[member];
+    for (Outcode& code : codes) {
+      const bool is_above = high ? (code & above) != 0 : (code & below) == 0;
+      code = static_cast<Outcode>((code & ~(below | above)) | (is_above ? above : below));
+    }
+    return codes;
+  }
   /// Returns kNone for a triangle that does not meet the cell.
   MemberId member_of(TriangleId triangle) const { return member_of_[triangle]; }
 
@@ -53,6 +73,7 @@ class CellTriangles {
   LatticeBox cell_;
   std::vector<TriangleId> triangles_;  // per member
   std::vector<LatticeBox> bounds_;     // per member
+  std::vector<Outcodes> outcodes_;     // per member
   std::vector<MemberId> member_of_;    // per triangle of the surface
 };
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "geometry/quadric.h"
-#include "geometry/triangle_box.h"
 
 namespace kdm {
 
@@ -34,9 +33,7 @@ bool ContactPoints::pieces_share_a_vertex(const CellSurface& cell) {
     const PieceId piece = cell.pieces.piece_of(m);
     if (cell.pieces.all()[piece].is_inner) continue;
     for (int i = 0; i < 3; ++i) {
-      if (cell.is_inner(m) || !vertex_in_box(cell.triangles.corners(m)[i], cell.triangles.cell())) {
-        continue;
-      }
+      if (cell.is_inner(m) || cell.triangles.outcodes(m)[i] != 0) continue;
       const PointId point = surface_.corners[cell.triangles.triangle(m)][i];
       if (piece_at_[point] == kNone) {
         piece_at_[point] = piece;

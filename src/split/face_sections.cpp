@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/triangle_box.h"
-
 namespace kdm {
 
 std::optional<ClosedCurve> FaceSections::find_closed_curve(const CellSurface& cell,
@@ -23,17 +21,17 @@ std::optional<ClosedCurve> FaceSections::find_on_face(const CellSurface& cell, i
                                                       bool high) {
   const CellTriangles& triangles = cell.triangles;
   const LatticeBox& box = triangles.cell();
-  LatticeBox face = box;
-  face.lo[axis] = face.hi[axis] = high ? box.hi[axis] : box.lo[axis];
+  const LatticeBox face = triangles.face(axis, high);
   on_face_.clear();
   for (MemberId m = 0; m < triangles.size(); ++m) {
     const LatticeBox& bounds = triangles.bounds(m);
     const bool reaches = high ? bounds.hi[axis] == box.hi[axis] : bounds.lo[axis] == box.lo[axis];
     if (!reaches || cell.pieces.all()[cell.pieces.piece_of(m)].is_inner) continue;
-    if (triangle_meets_box(triangles.corners(m), face)) on_face_.push_back(m);
+    const Outcodes codes = triangles.outcodes_at_face(m, axis, high);
+    if (triangle_meets_box(triangles.corners(m), codes, face)) on_face_.push_back(m);
   }
   if (on_face_.empty()) return std::nullopt;
-  curves_.connect(triangles, on_face_, face);
+  curves_.connect_on_face(triangles, on_face_, axis, high);
   const Index ends = ends_around(cell, axis, high) + static_cast<Index>(curves_.rim_sides().size());
   if (curves_.count() == ends / 2 && !curve_joins_two_rims(triangles)) return std::nullopt;
   return closed_curve(cell, axis, high);

@@ -49,7 +49,6 @@ bool FitCheck::joint_vertex_misses(const LatticeBox& box, const CellCrossings& c
 bool FitCheck::pieces_fit(const CellSurface& cell, LeafVertices vertices) {
   limit_ = vertices == LeafVertices::kOneForAll ? shared_tolerance_ : tolerance_;
   if (limit_ != tolerance_) joint_vertex_.reset();
-  if (limit_ != tolerance_) joint_vertex_.reset();
   hits_.assign_pieces(cell);
   const std::span<const Piece> pieces = cell.pieces.all();
   if (vertices == LeafVertices::kOneForAll && hits_.empty()) return nothing_bounds(cell);
@@ -81,7 +80,10 @@ bool FitCheck::corners_meet_planes(const CellSurface& cell, LeafVertices vertice
     if (!bounds_solid(cell, m)) continue;
     const PieceId piece =
         vertices == LeafVertices::kOneForAll ? kAllPieces : cell.pieces.piece_of(m);
-    const ClippedPolygon part = clip_to_box(cell.triangles.corners(m), cell.triangles.cell());
+    // Where all of the triangle is near a plane, what is cut from it is, too.
+    const LatticeTriangle& t = cell.triangles.corners(m);
+    if (hits_.triangle_meets_a_plane(t, piece, limit_)) continue;
+    const ClippedPolygon part = clip_to_box(t, cell.triangles.cell());
     for (int i = 0; i < part.size; ++i) {
       if (cell.is_inner_at(m, i)) continue;
       if (!hits_.meets_a_plane(part.corners[i], piece, limit_)) return false;
@@ -174,9 +176,11 @@ bool FitCheck::is_near_sharp_edge(const Vec3& vertex, const CellSurface& cell) c
       if (neighbour != kNone && cell.is_inner(neighbour)) continue;
       const Vec3& normal = surface_.planes[triangle].normal;
       if (normal.dot(surface_.planes[triangle_of(opposite)].normal) >= kSharpCosine) continue;
-      const LatticePoint& a = surface_.triangles[triangle][i];
-      const LatticePoint& b = surface_.triangles[triangle][next_corner(i)];
-      if (!edge_meets_box(a, b, cell.triangles.cell())) continue;
+      const LatticeTriangle& t = surface_.triangles[triangle];
+      const MemberId member = cell.triangles.member_of(triangle);
+      if (!edge_meets_box(t, cell.triangles.outcodes(member), i, cell.triangles.cell())) continue;
+      const LatticePoint& a = t[i];
+      const LatticePoint& b = t[next_corner(i)];
       const Vec3 along = to_vec3(b) - to_vec3(a);
       const double foot = along.dot(vertex - to_vec3(a)) / along.squaredNorm();
       if (foot < 0 || foot > 1) continue;

@@ -82,7 +82,7 @@ void InnerTriangles::find_members_apart(const Marks& crossing) {
     const bool degenerate = surface_.degenerate.test(cell_->triangle(m));
     if (!degenerate && !crossing.test(m) && !near_another_solid(m)) apart_.push_back(m);
   }
-  groups_.connect(*cell_, apart_, cell_->cell());
+  groups_.connect(*cell_, apart_);
 }
 
 // Tells whether a triangle of another solid may lie where states are looked at.

@@ -14,9 +14,12 @@ namespace kdm {
 class MemberGroups {
  public:
   /// Groups the members in `subset`: two of them are joined if they share a mesh edge that meets
-  /// the box. The box is the cell, or one of its faces: then it has no extent along one axis.
-  void connect(const CellTriangles& triangles, std::span<const MemberId> subset,
-               const LatticeBox& box);
+  /// the cell.
+  void connect(const CellTriangles& triangles, std::span<const MemberId> subset);
+  /// Groups the members in `subset`: two of them are joined if they share a mesh edge that meets
+  /// the face of the cell normal to `axis` at its low or high side.
+  void connect_on_face(const CellTriangles& triangles, std::span<const MemberId> subset, int axis,
+                       bool high);
 
   /// Returns the number of groups.
   Index count() const { return count_; }
@@ -36,6 +39,10 @@ class MemberGroups {
   }
 
  private:
+  template <typename Meets>
+  void join_where(const CellTriangles& triangles, std::span<const MemberId> subset,
+                  const Meets& meets);
+
   std::vector<MemberId> parent_;  // per member; kNone outside of the subset
   std::vector<SideId> rim_sides_;
   Index count_ = 0;

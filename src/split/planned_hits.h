@@ -47,6 +47,9 @@ class PlannedHits {
     }
     return meets_another_plane(point, piece, distance);
   }
+  /// Tells whether the plane of one of the piece's hits lies within a distance of the whole
+  /// triangle. Makes it the plane that was met last.
+  bool triangle_meets_a_plane(const LatticeTriangle& t, PieceId piece, double distance);
 
  private:
   bool meets(std::size_t i, const Vec3& point, PieceId piece, double distance) const {

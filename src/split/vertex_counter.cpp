@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "split/vertex_counter.h"
 
-#include "geometry/triangle_box.h"
-
 namespace kdm {
 
 VertexCounter::VertexCounter(const Surface& surface) {
@@ -39,7 +37,7 @@ Index VertexCounter::count_inner(const CellTriangles& triangles, std::span<const
         }
         others_.push_back(pair);
       } else {
-        if (!vertex_in_box(surface.triangles[triangle][i], triangles.cell())) continue;
+        if (triangles.outcodes(member)[i] != 0) continue;
         met = {counts_, piece};
       }
       if (on_rim_.empty() || !on_rim_.test(point)) ++inner;
