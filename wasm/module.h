@@ -70,9 +70,13 @@ inline val save_grid(const Grid& grid) {
   });
 }
 
-inline val from_meshes(const std::vector<Mesh>& meshes) {
+inline val from_levels(const std::vector<ReducedLevel>& levels) {
   val to = val::array();
-  for (const Mesh& mesh : meshes) to.call<void>("push", from_mesh(mesh, "Float32Array"));
+  for (const ReducedLevel& level : levels) {
+    val made = from_mesh(level, "Float32Array");
+    made.set("error", from_report(level.error));
+    to.call<void>("push", made);
+  }
   return to;
 }
 
@@ -87,7 +91,7 @@ inline val from_extracted(const ExtractedMesh& mesh) {
 /// Makes what `extract` gives, with `levels` and `reduce` (null: it was not).
 inline val from_reduced(const MadeMesh& made) {
   val to = from_extracted(made);
-  to.set("levels", from_meshes(made.levels));
+  to.set("levels", from_levels(made.levels));
   to.set("simplify", made.simplified ? from_report(*made.simplified) : val::null());
   to.set("reduce", made.reduced ? from_report(*made.reduced) : val::null());
   return to;
@@ -107,9 +111,17 @@ inline val from_manifold(MadeManifold made) {
   return to;
 }
 
+/// Reads the options of a kind of reduction, with the groups that their tables do not have.
+template <typename Options>
+Options to_reduction(const val& from) {
+  Options options = to_options<Options>(from);
+  read_option(from, "keep_groups", options.keep_groups);
+  return options;
+}
+
 inline MakeOptions to_make_options(val options) {
   return {to_options<BuildOptions>(options), to_options<ExtractOptions>(options),
-          to_options<ReductionOptions>(options)};
+          to_reduction<ReductionOptions>(options)};
 }
 
 inline val make_manifold(val mesh, val options, val begin) {
@@ -130,14 +142,14 @@ inline val make_solids(val operands, val expression, val options, val begin) {
 inline val make_from_grid(Grid& grid, val options, val begin) {
   return guard([&] {
     return from_made(kdm::make_from_grid(grid, to_options<ExtractOptions>(options),
-                                         to_options<ReductionOptions>(options), to_steps(begin)));
+                                         to_reduction<ReductionOptions>(options), to_steps(begin)));
   });
 }
 
 inline val extract_reduced(const Grid& grid, val options, val reduce, val begin) {
   return guard([&] {
     return from_reduced(kdm::extract_reduced(grid, to_options<ExtractOptions>(options),
-                                             to_options<ReduceOptions>(reduce), to_steps(begin)));
+                                             to_reduction<ReduceOptions>(reduce), to_steps(begin)));
   });
 }
 
@@ -151,10 +163,10 @@ inline val simplify(Grid& grid, val options, val progress) {
 inline val simplify_mesh(val mesh, val options, val begin) {
   return guard([&] {
     const SimplifiedMesh few =
-        kdm::simplify_mesh(to_mesh(mesh), to_options<ReduceOptions>(options), to_steps(begin));
+        kdm::simplify_mesh(to_mesh(mesh), to_reduction<ReduceOptions>(options), to_steps(begin));
     val to = val::object();
     to.set("mesh", from_mesh(few.mesh, "Float32Array"));
-    to.set("levels", from_meshes(few.levels));
+    to.set("levels", from_levels(few.levels));
     val report = from_report(few.report);
     report.set("rebuilt", few.rebuilt);
     report.set("warnings", from_warnings(few.warnings));

@@ -10,6 +10,7 @@
 #include "mesh/disjoint_sets.h"
 #include "mesh/marks.h"
 #include "mesh/sort.h"
+#include "mesh/spread.h"
 #include "prepare/weld.h"
 
 namespace kdm {

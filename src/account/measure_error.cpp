@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "mesh/marks.h"
+#include "mesh/spread.h"
 
 namespace kdm {
 namespace {

@@ -93,15 +93,15 @@ void write_results(const Command& command, const Task& task, const Formats& form
   const std::vector<std::string> paths = paths_of(command, task);
   const bool embedded = made.report.crossings.has_value();
   for (std::size_t i = 0; i < paths.size(); ++i) {
-    const Mesh& mesh = paths.size() > 1 ? made.levels[i] : made;
+    const Mesh& mesh = paths.size() > 1 ? static_cast<const Mesh&>(made.levels[i]) : made;
     const std::string bytes =
         format_file(mesh, formats.output, embedded ? Digits::kExact : Digits::kShortest);
     if (!files.out_dir.empty()) make_folder(files.out_dir);
     write_all(paths[i], bytes);
   }
   for (std::size_t i = 0; i < made.levels.size(); ++i) {
-    report.levels.push_back(
-        {static_cast<Index>(made.levels[i].triangles.size()), paths.empty() ? "" : paths[i]});
+    report.levels.push_back({static_cast<Index>(made.levels[i].triangles.size()),
+                             paths.empty() ? "" : paths[i], made.levels[i].error});
   }
   if (!files.save_grid.empty()) write_grid_file(files.save_grid, grid);
 }

@@ -21,6 +21,7 @@ struct Seconds {
 struct Level {
   Index triangles = 0;
   std::string file;  ///< empty: none was written
+  MeshError error;   ///< as measured (see `ReducedLevel`)
 };
 
 /// What is known at the end of a run.

@@ -26,8 +26,9 @@ Json input_json(const MeshDefects& input) {
 Json levels_json(const std::vector<Level>& levels) {
   Json json = Json::array();
   for (const Level& level : levels) {
-    json.push_back(
-        {{"triangles", level.triangles}, {"file", level.file.empty() ? Json() : Json(level.file)}});
+    json.push_back({{"triangles", level.triangles},
+                    {"file", level.file.empty() ? Json() : Json(level.file)},
+                    {"error", all_fields(level.error)}});
   }
   return json;
 }

@@ -120,6 +120,14 @@ std::string three_digits(double value) {
   return fmt::format("{:.{}f}", value, value > 0 ? decimals : 0);
 }
 
+std::string error_text(const MeshError& error) {
+  const auto numbers = [](const Deviation& d) {
+    return fmt::format("at most {} (rms {})", three_digits(d.largest), three_digits(d.rms));
+  };
+  return fmt::format("result to input {}, input to result {}", numbers(error.to_input),
+                     numbers(error.to_output));
+}
+
 // What the result lacks, and how far it is from the input.
 std::string account_text(const RunReport& report) {
   std::string text;
@@ -127,13 +135,7 @@ std::string account_text(const RunReport& report) {
     text += fmt::format("lost     {} % of the input's area, in {} pieces\n",
                         three_digits(100 * report.lost->share), report.lost->parts);
   }
-  if (report.error) {
-    const auto numbers = [](const Deviation& d) {
-      return fmt::format("at most {} (rms {})", three_digits(d.largest), three_digits(d.rms));
-    };
-    text += fmt::format("error    result to input {}, input to result {}\n",
-                        numbers(report.error->to_input), numbers(report.error->to_output));
-  }
+  if (report.error) text += fmt::format("error    {}\n", error_text(*report.error));
   return text;
 }
 
@@ -148,8 +150,8 @@ std::string reduction_text(const RunReport& report) {
                         report.reduced->triangles);
   }
   for (const Level& level : report.levels) {
-    text += fmt::format("level    {}{}{} triangles\n", level.file, level.file.empty() ? "" : ": ",
-                        level.triangles);
+    text += fmt::format("level    {}{}{} triangles, {}\n", level.file,
+                        level.file.empty() ? "" : ": ", level.triangles, error_text(level.error));
   }
   return text;
 }

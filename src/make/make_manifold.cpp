@@ -11,6 +11,7 @@
 #include "make/step_shares.h"
 #include "mesh/measure.h"
 #include "mesh/progress.h"
+#include "reduce/face_groups.h"
 
 namespace kdm {
 namespace {
@@ -90,6 +91,7 @@ MadeManifold make_simplified(Grid grid, const MakeOptions& options, const StepPr
 MadeManifold make_manifold_in_steps(const Mesh& mesh, const MakeOptions& options,
                                     const StepProgress& progress) {
   const bool is_reduced = reduces(options);
+  check_groups(mesh, options.reduction.keep_groups);
   MadeManifold out;
   out.grid = build_grid_within(mesh, options.build, is_reduced ? kGridShare : 1,
                                begin(progress, MakeStep::kBuild));
@@ -108,7 +110,8 @@ MadeManifold make_manifold_in_steps(const Mesh& mesh, const MakeOptions& options
   reduce_step(
       off_input ? own : mesh,
       {.error = off_input ? whole_tolerance(stats) - stats.tolerance : whole_tolerance(stats),
-       .target_triangles = options.reduction.target_triangles},
+       .target_triangles = options.reduction.target_triangles,
+       .keep_groups = options.reduction.keep_groups},
       progress, made);
   state_tolerance(out.grid.input(), whole_tolerance(stats), made);
   return out;
@@ -117,6 +120,9 @@ MadeManifold make_manifold_in_steps(const Mesh& mesh, const MakeOptions& options
 MadeManifold make_solids_in_steps(const Expression& expression,
                                   const std::vector<Operand>& operands, const MakeOptions& options,
                                   const StepProgress& progress) {
+  if (!options.reduction.keep_groups.empty()) {
+    throw Error(ErrorCode::kInvalidOption, "`keep_groups`: not of several solids");
+  }
   const bool is_reduced = reduces(options);
   SolidsGrid built =
       build_csg_grid_within(operands, expression, options.build, is_reduced ? kGridShare : 1,
@@ -156,7 +162,8 @@ MadeMesh make_from_grid(Grid& grid, const ExtractOptions& extract,
   }
   MadeMesh made = is_reduced ? extract_reduced(grid, extract,
                                                {.error = left_tolerance(grid.stats()),
-                                                .target_triangles = reduction.target_triangles},
+                                                .target_triangles = reduction.target_triangles,
+                                                .keep_groups = reduction.keep_groups},
                                                progress)
                              : extract_step(grid, extract, progress);
   made.simplified = simplified;

@@ -29,9 +29,12 @@ const char* obstacle_in(const BuildOptions& build) {
 
 // The option that asks for reduction; null if none does.
 const char* wish_in(const ReductionOptions& reduction) {
-  if (!reduction.target_triangles.empty()) {
-    if (!reduction.reduce.value_or(true)) refuse("target_triangles", "`reduce` false");
-    return "target_triangles";
+  const char* const special = !reduction.target_triangles.empty() ? "target_triangles"
+                              : !reduction.keep_groups.empty()    ? "keep_groups"
+                                                                  : nullptr;
+  if (special != nullptr) {
+    if (!reduction.reduce.value_or(true)) refuse(special, "`reduce` false");
+    return special;
   }
   return reduction.reduce.value_or(false) ? "reduce" : nullptr;
 }

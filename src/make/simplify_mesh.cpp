@@ -58,6 +58,7 @@ SimplifiedMesh simplify_mesh(const Mesh& mesh, const ReduceOptions& options,
   rebuild.build.tolerance = options.error;
   rebuild.extract.strict = Strict::kEmbedded;
   rebuild.reduction.target_triangles = options.target_triangles;
+  rebuild.reduction.keep_groups = options.keep_groups;
   SimplifiedMesh out;
   if (options.error > 0) {
     MadeManifold made = make_manifold_in_steps(mesh, rebuild, progress);
@@ -66,7 +67,7 @@ SimplifiedMesh simplify_mesh(const Mesh& mesh, const ReduceOptions& options,
     return out;
   }
   // Nothing but the numbers counts: the surface is made first, and then reduced without limit.
-  rebuild.reduction = {.reduce = false, .target_triangles = {}};
+  rebuild.reduction = {.reduce = false};
   const MadeManifold made = make_manifold_in_steps(mesh, rebuild, progress);
   out = reduced(made, made, options, progress);
   out.warnings = made.warnings;

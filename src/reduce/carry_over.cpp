@@ -28,18 +28,20 @@ Vec3 weights_at(const std::array<Vec3, 3>& t, const Vec3& p) {
 
 class Lookup {
  public:
-  Lookup(const ScaledMesh& from, const Reference& surface) : from_(from), surface_(surface) {}
+  explicit Lookup(const Carrier& carrier)
+      : from_(carrier.mesh), groups_(carrier.groups), surface_(carrier.surface) {}
 
   /// Returns the triangle nearest to a point of those that face along `normal`; of all if none
-  /// does.
-  TriangleId nearest(const Vec3& p, const Vec3& normal) {
-    const TriangleId facing = surface_.nearest_facing(p, normal, hint_);
-    hint_ = facing != kNone ? facing : surface_.nearest(p, kAnyDistance, hint_);
+  /// does. `group` is that to which it must belong, if there are groups.
+  TriangleId nearest(const Vec3& p, const Vec3& normal, Index group) {
+    const auto counts = [&](TriangleId t) { return groups_.empty() || groups_[t] == group; };
+    const TriangleId facing = surface_.nearest_facing(p, normal, hint_, counts);
+    hint_ = facing != kNone ? facing : surface_.nearest_of(p, hint_, counts);
     return hint_;
   }
 
-  std::array<float, 3> normal_at(const Vec3& p, const Vec3& normal) {
-    const TriangleId t = nearest(p, normal);
+  std::array<float, 3> normal_at(const Vec3& p, const Vec3& normal, Index group) {
+    const TriangleId t = nearest(p, normal, group);
     const Vec3 weights = weights_at(surface_.corners(t), p);
     Vec3 sum = Vec3::Zero();
     for (std::size_t i = 0; i < 3; ++i) {
@@ -51,32 +53,35 @@ class Lookup {
   }
 
  private:
-  static constexpr double kAnyDistance = 1e100;
-
   const ScaledMesh& from_;
+  const std::vector<Index>& groups_;
   const Reference& surface_;
   TriangleId hint_ = kNone;
 };
 
 }  // namespace
 
-void carry_over(const ScaledMesh& from, const Reference& surface, int exponent, Mesh& to) {
+void carry_over(const Carrier& carrier, const std::vector<Index>& groups, int exponent, Mesh& to) {
+  const ScaledMesh& from = carrier.mesh;
   const bool sources = !from.source_faces.empty() || !from.source_operands.empty();
   if (!sources && from.corner_normals.empty()) return;
   const std::vector<Vec3> positions = scaled(to.positions, exponent);
-  Lookup lookup(from, surface);
-  for (const Triangle& t : to.triangles) {
+  Lookup lookup(carrier);
+  for (std::size_t i = 0; i < to.triangles.size(); ++i) {
+    const Triangle& t = to.triangles[i];
+    const Index group = groups.empty() ? kNone : groups[i];
     const std::array<Vec3, 3> c = {positions[t[0]], positions[t[1]], positions[t[2]]};
     const Vec3 normal = doubled_area_vector(c[0], c[1], c[2]);
     const Vec3 middle = (c[0] + c[1] + c[2]) / 3;
     if (sources) {
-      const TriangleId source = lookup.nearest(middle, normal);
+      const TriangleId source = lookup.nearest(middle, normal, group);
       if (!from.source_faces.empty()) to.source_faces.push_back(from.source_faces[source]);
       if (!from.source_operands.empty()) to.source_operands.push_back(from.source_operands[source]);
     }
     if (from.corner_normals.empty()) continue;
     for (const Vec3& corner : c) {
-      to.corner_normals.push_back(lookup.normal_at(corner + kInside * (middle - corner), normal));
+      to.corner_normals.push_back(
+          lookup.normal_at(corner + kInside * (middle - corner), normal, group));
     }
   }
 }

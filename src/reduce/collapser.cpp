@@ -36,6 +36,7 @@ Vec3 centre_of_all(const std::vector<Vec3>& positions) {
 
 Collapser::Collapser(Workpiece& piece)
     : piece_(piece),
+      lines_(piece),
       quadric_(piece.positions.size()),
       centre_(centre_of_all(piece.positions)),
       version_(3 * std::size_t{piece.mesh.triangles()}, 0),
@@ -43,6 +44,7 @@ Collapser::Collapser(Workpiece& piece)
       seen_(piece.positions.size(), 0) {
   if (piece.distance) smooth_.emplace(piece, piece.distance->creases);
   add_quadrics();
+  if (lines_.any()) add_line_quadrics();
   for (SideId h = 0; h < version_.size(); ++h) {
     if (!piece_.mesh.is_removed(triangle_of(h)) && piece_.mesh.edge(h) == h) consider(h);
   }
@@ -58,6 +60,24 @@ void Collapser::add_quadrics() {
     if (!(length > 0)) continue;
     const Vec3 normal = doubled / length;
     for (const VertexId v : c) quadric_[v].add_plane(normal, normal.dot(a), length);
+  }
+}
+
+// Planes through the lines, perpendicular to the triangles beside them, hold vertices there as
+// those of triangles do on the surface.
+void Collapser::add_line_quadrics() {
+  for (SideId h = 0; h < version_.size(); ++h) {
+    const TriangleId t = triangle_of(h);
+    if (piece_.mesh.is_removed(t) || !lines_.is_line(h)) continue;
+    const Triangle c = piece_.mesh.corners(t);
+    const Vec3 start = piece_.positions[piece_.mesh.start(h)] - centre_;
+    const Vec3 along = piece_.positions[piece_.mesh.end(h)] - centre_ - start;
+    const Vec3 across = normalized_or_zero(along.cross(
+        unit_normal(piece_.positions[c[0]], piece_.positions[c[1]], piece_.positions[c[2]])));
+    if (across.isZero()) continue;
+    for (const VertexId v : {piece_.mesh.start(h), piece_.mesh.end(h)}) {
+      quadric_[v].add_plane(across, across.dot(start), along.squaredNorm());
+    }
   }
 }
 
@@ -83,13 +103,17 @@ ErrorQuadric Collapser::quadric_of(SideId edge) const {
   return sum;
 }
 
+double Collapser::limit_of(SideId edge) const {
+  const std::vector<double>& limits = piece_.distance->limits;
+  return std::min(limits[piece_.mesh.start(edge)], limits[piece_.mesh.end(edge)]);
+}
+
 void Collapser::push(SideId edge, CollapsePlace place) {
   const ErrorQuadric sum = quadric_of(edge);
   const double error = sum.error(point_of(edge, place, sum) - centre_);
   // Where the planes are much further off than allowed on average, the surface is too.
   if (piece_.distance) {
-    const std::vector<double>& limits = piece_.distance->limits;
-    const double limit = std::min(limits[piece_.mesh.start(edge)], limits[piece_.mesh.end(edge)]);
+    const double limit = limit_of(edge);
     if (error > kHopeless * limit * limit * sum.weight()) return;
   }
   const Vec3 along =
@@ -100,11 +124,8 @@ void Collapser::push(SideId edge, CollapsePlace place) {
 
 void Collapser::consider(SideId edge) {
   failed_.clear(edge);
-  const bool start_stays = piece_.mesh.on_boundary(piece_.mesh.start(edge));
-  const bool end_stays = piece_.mesh.on_boundary(piece_.mesh.end(edge));
-  if (start_stays && end_stays) return;
-  push(edge, start_stays ? CollapsePlace::kStart
-                         : (end_stays ? CollapsePlace::kEnd : CollapsePlace::kBest));
+  const std::optional<CollapsePlace> place = lines_.place_of(edge);
+  if (place) push(edge, *place);
 }
 
 bool Collapser::meets_link_condition(SideId edge) {
@@ -114,12 +135,17 @@ bool Collapser::meets_link_condition(SideId edge) {
   int common = 0;
   piece_.mesh.for_each_neighbour(piece_.mesh.end(edge),
                                  [&](VertexId v) { common += seen_[v] == stamp_ ? 1 : 0; });
-  if (common != 2 || back == kNone) return false;
+  if (back == kNone) {
+    // Of a single triangle nothing would be left.
+    return common == 1 && (piece_.mesh.opposite(next_side(edge)) != kNone ||
+                           piece_.mesh.opposite(previous_side(edge)) != kNone);
+  }
+  if (common != 2) return false;
   // Of a tetrahedron nothing would be left.
   const VertexId tip = piece_.mesh.start(previous_side(edge));
   int round_tip = 0;
   piece_.mesh.for_each_leaving(tip, [&](SideId) { ++round_tip; });
-  if (round_tip > 3) return true;
+  if (round_tip > 3 || piece_.mesh.on_boundary(tip)) return true;
   const VertexId other = piece_.mesh.start(previous_side(back));
   bool joined = false;
   piece_.mesh.for_each_neighbour(tip, [&](VertexId v) { joined = joined || v == other; });
@@ -132,11 +158,12 @@ void Collapser::make_ring(SideId edge, const Vec3& point) {
   ring_.removed = piece_.mesh.end(edge);
   ring_.point = point;
   ring_.triangles.clear();
-  ring_.gone = {triangle_of(edge), triangle_of(back)};
+  ring_.gone = {triangle_of(edge)};
+  if (back != kNone) ring_.gone.push_back(triangle_of(back));
   for (const VertexId v : {ring_.kept, ring_.removed}) {
     piece_.mesh.for_each_leaving(v, [&](SideId h) {
       const TriangleId t = triangle_of(h);
-      if (t == ring_.gone[0] || t == ring_.gone[1]) return;
+      if (t == ring_.gone.front() || t == ring_.gone.back()) return;
       const VertexId from = piece_.mesh.end(h);
       const VertexId to = piece_.mesh.start(previous_side(h));
       const SideId beyond = piece_.mesh.opposite(next_side(h));
@@ -178,11 +205,12 @@ bool Collapser::is_guarded() const {
 }
 
 Collapser::Verdict Collapser::try_step(SideId edge, CollapsePlace place) {
-  if (!meets_link_condition(edge)) return Verdict::kNever;
+  if (!meets_link_condition(edge) || lines_.would_merge(edge)) return Verdict::kNever;
   make_ring(edge, point_of(edge, place, quadric_of(edge)));
   if (!keeps_shape()) return Verdict::kNoPlace;
   if (smooth_ && !smooth_->stays_smooth(ring_)) return Verdict::kNoPlace;
   if (piece_.distance && !stays_near(piece_, ring_)) return Verdict::kNoPlace;
+  if (piece_.distance && !lines_.stay_near(edge, ring_, limit_of(edge))) return Verdict::kNoPlace;
   if (is_guarded() && piece_.guard->would_meet(ring_)) return Verdict::kNoPlace;
   step(edge);
   return Verdict::kDone;
@@ -195,6 +223,7 @@ void Collapser::step(SideId edge) {
     std::vector<double>& limits = piece_.distance->limits;
     limits[v] = std::min(limits[v], limits[ring_.removed]);
   }
+  lines_.collapsing(edge, ring_);
   piece_.mesh.collapse(edge);
   piece_.positions[v] = ring_.point;
   quadric_[v] += quadric_[ring_.removed];
@@ -202,20 +231,24 @@ void Collapser::step(SideId edge) {
   if (piece_.guard) piece_.guard->collapsed(ring_);
   if (piece_.guarded && piece_.guarded->test(ring_.removed)) piece_.guarded->set(v);
   ++collapses_;
-  piece_.mesh.for_each_leaving(v, [&](SideId h) {
-    const SideId changed = piece_.mesh.edge(h);
+  piece_.mesh.for_each_edge(v, [&](SideId changed) {
     ++version_[changed];
     consider(changed);
   });
   // Edges that had no place may have one now that their surroundings have changed.
+  const bool on_rim = piece_.mesh.on_boundary(v);
   for (const RingTriangle& t : ring_.triangles) {
-    piece_.mesh.for_each_leaving(t.from, [&](SideId h) {
-      const SideId beside = piece_.mesh.edge(h);
-      if (!failed_.test(beside)) return;
-      ++version_[beside];
-      consider(beside);
-    });
+    retry_edges_at(t.from);
+    if (on_rim) retry_edges_at(t.to);
   }
+}
+
+void Collapser::retry_edges_at(VertexId v) {
+  piece_.mesh.for_each_edge(v, [&](SideId edge) {
+    if (!failed_.test(edge)) return;
+    ++version_[edge];
+    consider(edge);
+  });
 }
 
 void Collapser::collapse_to(Index triangles, const std::function<void()>& between) {

@@ -10,6 +10,7 @@
 #include "mesh/marks.h"
 #include "reduce/collapse_queue.h"
 #include "reduce/error_quadric.h"
+#include "reduce/kept_lines.h"
 #include "reduce/smooth_test.h"
 #include "reduce/workpiece.h"
 
@@ -30,19 +31,23 @@ class Collapser {
   enum class Verdict { kDone, kNoPlace, kNever };
 
   void add_quadrics();
+  void add_line_quadrics();
   void consider(SideId edge);
   void push(SideId edge, CollapsePlace place);
   Vec3 point_of(SideId edge, CollapsePlace place, const ErrorQuadric& sum) const;
   ErrorQuadric quadric_of(SideId edge) const;
+  double limit_of(SideId edge) const;
   Verdict try_step(SideId edge, CollapsePlace place);
   bool meets_link_condition(SideId edge);
   void make_ring(SideId edge, const Vec3& point);
   bool keeps_shape() const;
   bool is_guarded() const;
   void step(SideId edge);
+  void retry_edges_at(VertexId v);
 
   Workpiece& piece_;
-  std::optional<SmoothTest> smooth_;   // if a distance is kept
+  std::optional<SmoothTest> smooth_;  // if a distance is kept
+  KeptLines lines_;
   std::vector<ErrorQuadric> quadric_;  // per vertex, relative to centre_
   Vec3 centre_;
   CollapseQueue queue_;

@@ -38,7 +38,9 @@ class Flipper {
     const SideId back = piece_.mesh.opposite(h);
     for (const SideId side :
          {h, next_side(h), previous_side(h), next_side(back), previous_side(back)}) {
-      if (piece_.mesh.opposite(side) != kNone && try_flip(side)) return true;
+      if (piece_.mesh.opposite(side) != kNone && !piece_.is_border(side) && try_flip(side)) {
+        return true;
+      }
     }
     return false;
   }

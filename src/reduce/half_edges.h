@@ -52,6 +52,16 @@ class HalfEdges {
     } while (h != first && h != kNone);
   }
 
+  /// Calls `visit(h)` for each edge at the vertex, with the half-edge by which it is known.
+  template <typename Visit>
+  void for_each_edge(VertexId v, const Visit& visit) const {
+    for_each_leaving(v, [&](SideId h) {
+      visit(edge(h));
+      const SideId entering = previous_side(h);
+      if (opposite_[entering] == kNone) visit(entering);
+    });
+  }
+
   /// Calls `visit(w)` for each vertex that an edge joins with `v`.
   template <typename Visit>
   void for_each_neighbour(VertexId v, const Visit& visit) const {

@@ -33,11 +33,16 @@ bool stays_near(Workpiece& piece, const CollapseRing& ring) {
   if (!kept.samples.fit(ring, limit)) return false;
   TriangleId& near = kept.near[ring.kept];
   if (!kept.reference->is_near(ring.point, limit, near)) return false;
+  const bool on_rim = piece.mesh.on_boundary(ring.kept) || piece.mesh.on_boundary(ring.removed);
   for (std::size_t i = 0; i < ring.triangles.size(); ++i) {
     const RingTriangle& t = ring.triangles[i];
     const TriangleId hint = kept.samples.hint(i);
     if (!points_are_near(kept, ring.point, t.from_point, limit,
                          hint != kNone ? hint : kept.near[t.from])) {
+      return false;
+    }
+    // On a rim one edge begins no triangle of the ring.
+    if (on_rim && !points_are_near(kept, ring.point, t.to_point, limit, kept.near[t.to])) {
       return false;
     }
   }

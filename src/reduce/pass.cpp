@@ -25,6 +25,7 @@ PassLevel level_of(const Workpiece& piece) {
     if (mesh.is_removed(t)) continue;
     const Triangle c = mesh.corners(t);
     out.mesh.triangles.push_back({numbers[c[0]], numbers[c[1]], numbers[c[2]]});
+    if (!piece.groups.empty()) out.groups.push_back(piece.groups[t]);
   }
   return out;
 }

@@ -15,6 +15,7 @@ namespace kdm {
 struct PassLevel {
   Mesh mesh;                       ///< coordinates of about 1
   std::vector<VertexId> vertices;  ///< which vertex of the piece each of the mesh's is
+  std::vector<Index> groups;       ///< per triangle, or empty
 };
 
 /// What a pass made.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <new>
 #include <optional>
 
@@ -16,6 +17,8 @@
 #include "mesh/progress.h"
 #include "mesh/scale.h"
 #include "reduce/carry_over.h"
+#include "reduce/face_groups.h"
+#include "reduce/level_errors.h"
 #include "reduce/local_limits.h"
 #include "reduce/pass.h"
 #include "reduce/scaled_mesh.h"
@@ -24,12 +27,10 @@
 namespace kdm {
 namespace {
 
-// Parts of the mesh that are further from the reference than this many times the error are taken
-// for surface that the reference lacks. What is extracted within the error is nearer.
-constexpr double kForeign = 2;
-
-// The part of the work that is done before the first edge is collapsed.
+// The part of the work that is done before the first edge is collapsed, and before the levels are
+// measured.
 constexpr double kBefore = 0.2;
+constexpr double kMeasured = 0.95;
 // A crease of the mesh is a true one if the reference has one within this part of its diagonal.
 constexpr double kCreaseReach = 0.00125;
 
@@ -102,10 +103,12 @@ constexpr double kMany = 0.02;
 constexpr int kMostPasses = 4;
 
 Pass pass_by_number(const HalfEdges& half_edges, const std::vector<Vec3>& positions,
-                    const std::vector<Index>& targets, const Progress& progress) {
+                    const std::vector<Index>& groups, const std::vector<Index>& targets,
+                    const Progress& progress) {
   Marks guarded(positions.size());
   for (int pass = 1; pass < kMostPasses; ++pass) {
     Workpiece piece(half_edges, positions, std::nullopt, guarded);
+    piece.groups = groups;
     // Most of the time goes into the first pass.
     const double from = pass == 1 ? 0 : 1 - std::pow(0.1, pass - 1);
     Pass out = run_pass(piece, targets, part_of_progress(progress, from, 1 - std::pow(0.1, pass)));
@@ -118,7 +121,21 @@ Pass pass_by_number(const HalfEdges& half_edges, const std::vector<Vec3>& positi
     }
   }
   Workpiece piece(half_edges, positions, std::nullopt);
+  piece.groups = groups;
   return run_pass(piece, targets, part_of_progress(progress, 0.999, 1));
+}
+
+// Says how far the levels, which `pass_levels` has with coordinates of about 1, are from the
+// reference.
+void measure_levels(const std::vector<PassLevel>& pass_levels, const LevelErrors& errors,
+                    int exponent, std::vector<ReducedLevel>& levels) {
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    MeshError& error = levels[i].error;
+    error = errors.of(pass_levels[i].mesh);
+    for (Deviation* d : {&error.to_input, &error.to_output}) {
+      *d = {std::ldexp(d->largest, exponent), std::ldexp(d->rms, exponent)};
+    }
+  }
 }
 
 // Throws if the arrays of a mesh do not fit together.
@@ -151,6 +168,7 @@ ReducedMesh reduce(const Mesh& mesh, const Mesh& reference, const ReduceOptions&
   report_progress(progress, 0, "reduce");
   const int exponent = scale_to_one(mesh.positions).exponent;
   const ScaledMesh from = scaled_mesh(mesh, -exponent);
+  const std::vector<Index> groups = face_groups(mesh, options.keep_groups);
   HalfEdges half_edges(from.triangles, static_cast<Index>(from.positions.size()));
   const Reference surface(from.all_corners());
   std::optional<Reference> kept;
@@ -171,22 +189,30 @@ ReducedMesh reduce(const Mesh& mesh, const Mesh& reference, const ReduceOptions&
   }
   std::vector<Index> targets = options.target_triangles;
   if (targets.empty()) targets = {0};
-  const Progress steps = part_of_progress(progress, kBefore, 1);
+  const Progress steps = part_of_progress(progress, kBefore, kMeasured);
   Pass pass;
   if (distance) {
     Workpiece piece(std::move(half_edges), from.positions, std::move(distance));
+    piece.groups = groups;
     pass = run_pass(piece, targets, steps);
   } else {
-    pass = pass_by_number(half_edges, from.positions, targets, steps);
+    pass = pass_by_number(half_edges, from.positions, groups, targets, steps);
   }
   ReducedMesh out;
-  for (PassLevel& level : pass.levels) {
-    out.levels.push_back(std::move(level.mesh));
-    out.levels.back().positions = scaled(out.levels.back().positions, exponent);
-    carry_over(from, surface, -exponent, out.levels.back());
+  for (const PassLevel& level : pass.levels) {
+    ReducedLevel& made = out.levels.emplace_back();
+    static_cast<Mesh&>(made) = level.mesh;
+    made.positions = scaled(made.positions, exponent);
+    carry_over({from, groups, surface}, level.groups, -exponent, made);
   }
   static_cast<Mesh&>(out) = out.levels.back();
   if (options.target_triangles.empty()) out.levels.clear();
+  if (!out.levels.empty()) {
+    if (!kept) kept.emplace(scaled_mesh(reference, -exponent).all_corners());
+    const double reach = options.error > 0 ? kForeign * std::ldexp(options.error, -exponent)
+                                           : std::numeric_limits<double>::infinity();
+    measure_levels(pass.levels, {*kept, surface, reach}, exponent, out.levels);
+  }
   out.report.flips = pass.flips;
   out.report.collapses = pass.collapses;
   out.report.triangles_before = static_cast<Index>(from.triangles.size());

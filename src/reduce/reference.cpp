@@ -2,10 +2,7 @@
 // Looks the triangles up in a tree.
 #include "reduce/reference.h"
 
-#include <limits>
-
 #include "geometry/distance.h"
-#include "geometry/triangle.h"
 
 namespace kdm {
 namespace {
@@ -41,14 +38,6 @@ TriangleId Reference::nearest(const Vec3& p, double distance, TriangleId hint,
                               double enough) const {
   return tree_.nearest(p, distance * distance, enough * enough, hint,
                        [&](TriangleId t) { return squared_distance(t, p); });
-}
-
-TriangleId Reference::nearest_facing(const Vec3& p, const Vec3& normal, TriangleId hint) const {
-  constexpr double kFar = std::numeric_limits<double>::infinity();
-  return tree_.nearest(p, std::numeric_limits<double>::max(), 0, hint, [&](TriangleId t) {
-    const std::array<Vec3, 3>& c = triangles_[t];
-    return unit_normal(c[0], c[1], c[2]).dot(normal) > 0 ? squared_distance(t, p) : kFar;
-  });
 }
 
 }  // namespace kdm

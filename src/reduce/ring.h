@@ -25,8 +25,7 @@ struct CollapseRing {
   VertexId removed = kNone;  ///< the other end
   Vec3 point;                ///< where the new vertex would be
   std::vector<RingTriangle> triangles;
-  std::vector<TriangleId> gone;  ///< the triangles beside the edge
-  std::vector<VertexId> tips;    ///< their corners that are not on the edge
+  std::vector<TriangleId> gone;  ///< the triangles beside the edge: two, or one at a rim
 };
 
 /// Returns the corners of a triangle of the ring, by number, in the order in which `corners_of` has

@@ -13,6 +13,10 @@
 
 namespace kdm {
 
+/// Parts of the mesh that are further from the reference than this many times the error are taken
+/// for surface that the reference lacks. What is extracted within the error is nearer.
+inline constexpr double kForeign = 2;
+
 /// The distance that is kept between the mesh and a reference, both ways.
 struct KeptDistance {
   const Reference* reference;    ///< must outlive this
@@ -39,12 +43,19 @@ struct Workpiece {
   Workpiece(const Workpiece&) = delete;  // the guard refers to the mesh
   Workpiece& operator=(const Workpiece&) = delete;
 
+  /// Tells whether the edge lies between triangles of two groups.
+  bool is_border(SideId h) const {
+    const SideId back = mesh.opposite(h);
+    return !groups.empty() && back != kNone && groups[triangle_of(h)] != groups[triangle_of(back)];
+  }
+
   HalfEdges mesh;
   std::vector<Vec3> positions;           // per vertex
   std::vector<VertexId> joined_to;       // per vertex that is gone: the one it was joined to
   std::optional<KeptDistance> distance;  // none: the number of triangles alone decides
   std::optional<CrossingGuard> guard;    // none: nothing is guarded
   std::optional<Marks> guarded;          // per vertex; none: all are guarded
+  std::vector<Index> groups;             // per triangle; empty: there are none to keep
 };
 
 }  // namespace kdm

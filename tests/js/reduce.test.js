@@ -60,6 +60,76 @@ test('several numbers make several levels', async () => {
   expect(arraysOf(one.mesh)).toEqual(arraysOf(mesh));
 });
 
+test('levels tell how far they are from the input', async () => {
+  const options = { tolerance: 0.5, targetTriangles: [400, 300] };
+  const { mesh, levels } = await makeManifold(torus(), options);
+  const own = kdm.simplifyMesh(torus(), { targetTriangles: [600, 200] });
+  const grid = kdm.buildGrid(torus(), { tolerance: 0.05 });
+  const extracted = grid.extract({ reduce: { targetTriangles: [600, 200] } });
+  for (const of of [levels, own.levels, extracted.levels]) {
+    const [fine, coarse] = of.map(({ error }) => error);
+    for (const side of ['toInput', 'toOutput']) {
+      expect(fine[side].rms).toBeGreaterThan(0);
+      expect(coarse[side].rms).toBeGreaterThan(fine[side].rms);
+      expect(coarse[side].largest).toBeGreaterThan(coarse[side].rms);
+      expect(coarse[side].largest).toBeLessThan(0.6);
+    }
+  }
+  const { error } = grid.compare(torus(), mesh, { error: true });
+  expect(levels[1].error.toInput.largest).toBeCloseTo(error.toInput.largest, 2);
+  expect(levels[1].error.toOutput.rms).toBeCloseTo(error.toOutput.rms, 2);
+  grid.delete();
+});
+
+test('groups stay apart in every way of reducing', async () => {
+  const mesh = torus(64, 32);
+  const group = (triangle) => (mesh.positions[3 * mesh.indices[3 * triangle]] > 0.2 ? 4 : 9);
+  const keepGroups = Uint32Array.from({ length: count(mesh) }, (_, t) => group(t));
+  const areas = ({ positions, indices, sourceFaces }) => {
+    const sums = { 4: 0, 9: 0 };
+    for (let t = 0; t < indices.length / 3; ++t) {
+      const part = { positions, indices: indices.slice(3 * t, 3 * t + 3) };
+      sums[keepGroups[sourceFaces?.[t] ?? t]] += kdm.describe(part).area;
+    }
+    return sums;
+  };
+  const whole = areas(mesh);
+  const grid = kdm.buildGrid(mesh, { tolerance: 0.02 });
+  const made = [
+    (await makeManifold(mesh, { tolerance: 0.05, keepGroups })).mesh,
+    (await simplifyMesh(mesh, { error: 0.05, keepGroups: [...keepGroups] })).mesh,
+    kdm.simplifyMesh(mesh, { error: 0.05, keepGroups }).mesh,
+    grid.extract({ reduce: { error: 0.05, keepGroups } }),
+  ];
+  grid.delete();
+  for (const few of made) {
+    sound(few);
+    const found = areas(few);
+    for (const name of [4, 9]) expect(found[name] / whole[name]).toBeCloseTo(1, 1);
+  }
+  expect(areas(made[1])[4] / whole[4]).toBeCloseTo(1, 2);
+});
+
+test.each([
+  [Array(11).fill(1), '`keepGroups`: it has 11 entries, but there is a face 11'],
+  [[], 'keepGroups: expected whole numbers from 0 on, but it is empty'],
+  [[1, -2], 'keepGroups: expected whole numbers from 0 on, but keepGroups[1] is -2'],
+  [[1, 'red'], 'keepGroups: expected whole numbers from 0 on, but keepGroups[1] is red'],
+  [true, 'keepGroups: expected an array of whole numbers, one a face, got boolean'],
+  [
+    new Float32Array(12),
+    'keepGroups: expected an array of whole numbers, one a face, got Float32Array',
+  ],
+])('groups that are none are refused: %j', async (keepGroups, message) => {
+  const box = cube();
+  for (const work of [
+    () => makeManifold(box, { keepGroups }),
+    () => simplifyMesh(box, { error: 1, keepGroups }),
+  ]) {
+    expect(await work().catch((error) => error)).toMatchObject({ code: 'INVALID_OPTION', message });
+  }
+});
+
 test.each([
   [{ reduce: true, quads: true }, 'reduce: not together with `quads`'],
   [{ targetTriangles: 9, quads: true }, 'targetTriangles: not together with `quads`'],
@@ -75,6 +145,8 @@ test.each([
     { targetTriangles: [9, 9] },
     'targetTriangles: expected whole numbers from 1 on, each smaller than the one before, got 9,9',
   ],
+  [{ keepGroups: [1], quads: true }, '`keepGroups`: not together with `quads`'],
+  [{ keepGroups: [1], reduce: false }, '`keepGroups`: not together with `reduce` false'],
 ])('what excludes reduction is told: %j', async (options, message) => {
   const error = await makeManifold(cube(), options).catch((caught) => caught);
   expect(error).toMatchObject({ code: 'INVALID_OPTION', message });

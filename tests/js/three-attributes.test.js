@@ -18,7 +18,7 @@ import {
   SphereGeometry,
   Vector3,
 } from 'three';
-import { load, makeManifold } from '../../dist/index.js';
+import { load, makeManifold, simplifyMesh } from '../../dist/index.js';
 import { fromBufferGeometry, fromObject3D, toBufferGeometry, toMesh } from '../../dist/three.js';
 import { asResult, itemsOf, square, withLocal } from './support/three-source.js';
 
@@ -166,6 +166,34 @@ test('the materials of several objects are put into one list', () => {
   expect(seen([6.1, 0.2, 5], [0, 0, -1])).toBe(red);
   expect(seen([3.1, 5, 0.2], [0, -1, 0])).toBe(green); // side +y is number 2
   expect(seen([3.1, 0.2, -5], [0, 0, 1])).toBe(blue); // side -z is number 5
+});
+
+test('keepGroups holds the line between materials on a flat side', async () => {
+  const own = materials(2);
+  const box = new BoxGeometry(2, 2, 2, 16, 16, 16);
+  const index = box.getIndex();
+  box.clearGroups();
+  for (let i = 0; i < index.count; i += 3) {
+    const points = pointsOf(
+      box,
+      [0, 1, 2].map((k) => index.getX(i + k)),
+    );
+    const middle = points.reduce((sum, { x }) => sum + x, 0) / 3;
+    box.addGroup(i, 3, middle > 0.4 ? 1 : 0);
+  }
+  const from = fromObject3D(new Mesh(box, own));
+  const keepGroups = from.source.materialIndices;
+  const { mesh } = await simplifyMesh(from, { error: 0.02, keepGroups });
+  const area = [0, 0];
+  const geometry = toBufferGeometry(mesh, { from });
+  visitTriangles(geometry, (material, vertices) => {
+    const [a, b, c] = pointsOf(geometry, vertices);
+    area[material] += b.sub(a).cross(c.sub(a)).length() / 2;
+  });
+  // Lines lie at x = 0.375, where the box has edges.
+  expect(area[1]).toBeCloseTo(4 + 8 * 0.625, 3);
+  expect(area[0]).toBeCloseTo(24 - 4 - 8 * 0.625, 3);
+  expect(mesh.indices.length / 3).toBeLessThanOrEqual(40);
 });
 
 test('a mesh with one material gets it back, without groups', () => {

@@ -21,6 +21,7 @@ import type {
   BuildOptions,
   CompareOptions,
   ExtractOptions,
+  GroupOptions,
   MeshInput,
   PolygonMeshInput,
   ReduceOptions,
@@ -87,7 +88,7 @@ function isDetached({ buffer, length }: Typed): boolean {
 }
 
 const shown = (value: unknown): string =>
-  typeof value === 'string' || typeof value === 'bigint' ? String(value) : kindOf(value);
+  ['string', 'bigint', 'number'].includes(typeof value) ? String(value) : kindOf(value);
 
 // Takes a typed array as it is, and makes one of a plain array, whose members must be numbers.
 function takeNumbers(value: unknown, name: string, kinds: string[], multiple: number): Typed {
@@ -274,8 +275,35 @@ export function checkExtractOptions(given: object, others: string[]): ExtractOpt
   return options;
 }
 
+/** Groups as WebAssembly takes them. */
+export interface CheckedGroups {
+  keepGroups?: Uint32Array;
+}
+
+/** Checks and copies the groups of faces. */
+export function checkGroups({ keepGroups }: GroupOptions): CheckedGroups {
+  if (keepGroups === undefined) return {};
+  if (!Array.isArray(keepGroups) && !wholes.includes(kindOf(keepGroups))) {
+    const expected = 'an array of whole numbers, one a face';
+    throw new KdManifoldError(
+      'INVALID_OPTION',
+      `keepGroups: expected ${expected}, got ${kindOf(keepGroups)}`,
+    );
+  }
+  const groups = Uint32Array.from(keepGroups);
+  const odd = groups.findIndex((group, i) => group !== keepGroups[i]);
+  if (odd >= 0 || groups.length === 0) {
+    const found = odd >= 0 ? `keepGroups[${odd}] is ${shown(keepGroups[odd])}` : 'it is empty';
+    throw new KdManifoldError(
+      'INVALID_OPTION',
+      `keepGroups: expected whole numbers from 0 on, but ${found}`,
+    );
+  }
+  return { keepGroups: groups };
+}
+
 /** Options of reduction, with the numbers as WebAssembly takes them. */
-export interface CheckedReduction {
+export interface CheckedReduction extends CheckedGroups {
   reduce?: boolean;
   targetTriangles?: number[];
 }
@@ -314,14 +342,20 @@ export function checkMakeOptions(
 }
 
 /** Options of `simplifyMesh`, with the numbers as WebAssembly takes them. */
-export interface CheckedReduce {
+export interface CheckedReduce extends CheckedGroups {
   error?: number;
   targetTriangles?: number[];
 }
 
 /** Checks and returns how far a mesh is reduced. Options named in `others` are left to others. */
-export function checkReduceOptions(given: ReduceOptions, others: string[]): CheckedReduce {
-  const options: CheckedReduce = pick(given, reduceOptions, others);
+export function checkReduceOptions(
+  given: ReduceOptions & GroupOptions,
+  others: string[],
+): CheckedReduce {
+  const options: CheckedReduce = {
+    ...pick(given, reduceOptions, ['keepGroups', ...others]),
+    ...checkGroups(given),
+  };
   if (!options.error && options.targetTriangles === undefined) {
     throw new KdManifoldError(
       'INVALID_OPTION',

@@ -19,6 +19,7 @@ import type {
   ExtractedMesh,
   ExtractOptions,
   GridStats,
+  GroupOptions,
   InputReport,
   MeshInput,
   PolygonMeshInput,
@@ -76,7 +77,7 @@ export class Grid {
    * Makes the surface of the grid: closed, oriented outwards, 2-manifold. Of a `sheet` it is a 2-manifold
    * with boundary, turned as the input is. The grid stays as it is.
    *
-   * With `reduce: { error, targetTriangles }` the result is embedded, and edges of it are collapsed as long as it stays
+   * With `reduce: { error, targetTriangles, keepGroups }` the result is embedded, and edges of it are collapsed as long as it stays
    * within `error` of the grid's own surface, down to the numbers of triangles asked for. (`makeManifold` does so within
    * the tolerance of the input.)
    *
@@ -95,7 +96,7 @@ export class Grid {
    * ```
    */
   extract(
-    options: ExtractOptions & ProgressOptions & { reduce?: ReduceOptions } = {},
+    options: ExtractOptions & ProgressOptions & { reduce?: ReduceOptions & GroupOptions } = {},
   ): ExtractedMesh {
     const raw = this.#demand();
     const checked = checkExtractOptions(options, ['onProgress', 'reduce']);

@@ -8,7 +8,7 @@ import type {
   ExtractedMesh,
   GridStats,
   InputReport,
-  Mesh,
+  Level,
   MeshReport,
   ParsedMesh,
   PolygonMeshInput,
@@ -29,7 +29,7 @@ export type RawSteps = (step: MakeStep) => RawProgress;
 
 /** A result that may be reduced; the tolerances in `stats` are those that it keeps. */
 export interface RawMade extends Omit<ExtractedMesh, 'reduce'> {
-  levels: Mesh[];
+  levels: Level[];
   simplify: SimplifyReport | null;
   reduce: ReduceReport | null;
   stats: GridStats;

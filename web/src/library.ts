@@ -23,6 +23,7 @@ import type {
   BuildOptions,
   ExtractOptions,
   FileMesh,
+  GroupOptions,
   MeshDefects,
   MeshFormat,
   MeshInput,
@@ -180,7 +181,7 @@ export class KdManifold {
    * taken as it is, any other is first made so, as by `makeManifold`.
    *
    * @param mesh - the triangles, in whatever state; their arrays are read, not kept
-   * @param options - `error` in model units, `targetTriangles`, and a callback for progress
+   * @param options - `error` in model units, `targetTriangles`, `keepGroups`, and a callback for progress
    * @returns the mesh, the levels and the account
    * @throws {@link KdManifoldError} with `INVALID_MESH`, `INVALID_OPTION`, `NOT_CLOSED`, `EMPTY_RESULT`,
    * `OUT_OF_MEMORY`, `ABORTED`
@@ -194,7 +195,10 @@ export class KdManifold {
    * console.log(report.trianglesBefore, mesh.indices.length / 3);
    * ```
    */
-  simplifyMesh(mesh: MeshInput, options: ReduceOptions & ProgressOptions): Simplified {
+  simplifyMesh(
+    mesh: MeshInput,
+    options: ReduceOptions & GroupOptions & ProgressOptions,
+  ): Simplified {
     const checked = checkReduceOptions(options, ['onProgress']);
     const input = checkMesh(mesh);
     return call(this.#health, options.onProgress, (progress) =>

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The one call for most people.
-import { checkMakeOptions, checkMesh } from './check-input.js';
+import { checkGroups, checkMakeOptions, checkMesh } from './check-input.js';
 import { buffersOf } from './convert.js';
 import { jobKeys, jobOf, ownMesh, refuse, type JobOptions } from './job.js';
 import type {
   BuildOptions,
   Conversion,
   ExtractOptions,
+  GroupOptions,
   MeshInput,
   ReductionOptions,
 } from './types.js';
@@ -14,12 +15,12 @@ import { submit } from './worker/pool.js';
 
 /** Everything that `makeManifold` can be told. */
 export interface MakeManifoldOptions
-  extends BuildOptions, ExtractOptions, ReductionOptions, JobOptions {
+  extends BuildOptions, ExtractOptions, ReductionOptions, GroupOptions, JobOptions {
   /** Measure how far result and input are apart: `report.error`. Takes a fifth to two fifths longer. */
   check?: boolean;
 }
 
-const own = ['check', ...jobKeys];
+const own = ['check', 'keepGroups', ...jobKeys];
 
 /**
  * Makes a closed, oriented 2-manifold mesh of a mesh in whatever state: shells may overlap, nest and
@@ -50,7 +51,8 @@ export async function makeManifold(
   mesh: MeshInput,
   options: MakeManifoldOptions = {},
 ): Promise<Conversion> {
-  const checked = checkMakeOptions(options, own);
+  const { reduction, ...checked } = checkMakeOptions(options, own);
+  const groups = checkGroups(options);
   const { check = false } = options;
   if (typeof check !== 'boolean') refuse('check', 'true or false');
   const job = jobOf(options);
@@ -58,6 +60,12 @@ export async function makeManifold(
   return submit({
     ...job,
     transfer: buffersOf(input),
-    order: { type: 'convert', subject: { mesh: input }, ...checked, check },
+    order: {
+      type: 'convert',
+      subject: { mesh: input },
+      ...checked,
+      reduction: { ...reduction, ...groups },
+      check,
+    },
   });
 }

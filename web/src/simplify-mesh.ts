@@ -3,11 +3,11 @@
 import { checkMesh, checkReduceOptions } from './check-input.js';
 import { buffersOf } from './convert.js';
 import { jobKeys, jobOf, ownMesh, type JobOptions } from './job.js';
-import type { MeshInput, ReduceOptions, Simplification } from './types.js';
+import type { GroupOptions, MeshInput, ReduceOptions, Simplification } from './types.js';
 import { submit } from './worker/pool.js';
 
 /** Everything that `simplifyMesh` can be told. */
-export interface SimplifyMeshOptions extends ReduceOptions, JobOptions {}
+export interface SimplifyMeshOptions extends ReduceOptions, GroupOptions, JobOptions {}
 
 /**
  * Reduces a mesh to fewer triangles: within a distance of it, to a number of triangles, or both; several numbers make
@@ -16,7 +16,7 @@ export interface SimplifyMeshOptions extends ReduceOptions, JobOptions {}
  * by `makeManifold`. Works in a worker as `makeManifold` does.
  *
  * @param mesh - the triangles, in whatever state; their arrays are copied unless `transfer` is set
- * @param options - `error` in model units, `targetTriangles`, where to work, how to be told and stopped
+ * @param options - `error` in model units, `targetTriangles`, `keepGroups`, where to work, how to be told and stopped
  * @returns the mesh, the levels, and the account of how they were made
  * @throws {@link KdManifoldError} with `INVALID_MESH`, `INVALID_OPTION`, `NOT_CLOSED`, `EMPTY_RESULT`, `OUT_OF_MEMORY`,
  * `ABORTED`, `LOAD_FAILED`; a signal's own reason where it was given one

@@ -145,12 +145,34 @@ export interface Warning {
   message: string;
 }
 
+/** Groups of faces that stay apart. */
+export interface GroupOptions {
+  /**
+   * The group of each face of the input, such as the number of its material: one for each number that `sourceFaces` of
+   * the result may have. Edges are then collapsed along the lines between groups, never across, and each triangle of the
+   * result has a source of the group that it is in. The lines stay within the tolerance of where the surface has them
+   * that is reduced: a sound mesh's own, or those of the grid, whose triangles are each of one group. Left out: groups do
+   * not count.
+   */
+  keepGroups?: WholeNumbers;
+}
+
+/**
+ * One level of detail, with how far it is from the input: from the grid's own surface where there is none at hand (a
+ * loaded grid, `Grid.extract`, `thicken`), or where `simplifyMesh` without `error` had to make the mesh anew. Measured
+ * at all vertices and at some 4,000 points spread evenly over the area of either surface: in between, the largest
+ * distance may be a little more. What the grid's surface had lost before is left out; `report.lost` tells of it.
+ */
+export interface Level extends Mesh {
+  error: MeshError;
+}
+
 /** What `Grid.extract` gives. */
 export interface ExtractedMesh extends Mesh {
   /** How it was made, and what one should know before one trusts it, the gravest first. */
   report: ExtractReport & { warnings: Warning[] };
   /** Only with the option `reduce`: one mesh for each of `targetTriangles`. The result is the last one. */
-  levels?: Mesh[];
+  levels?: Level[];
   /** Only with the option `reduce`: how it was reduced. */
   reduce?: ReduceReport;
 }
@@ -160,7 +182,7 @@ export interface Simplified {
   /** The last level, if there are several. */
   mesh: Mesh;
   /** One mesh for each of `targetTriangles`. */
-  levels: Mesh[];
+  levels: Level[];
   report: ReduceReport & {
     /** The mesh was not closed, not 2-manifold or met itself, and was made anew first. */
     rebuilt: boolean;
@@ -220,6 +242,6 @@ export interface Conversion {
   /** The result; the last level, if there are several. */
   mesh: Mesh;
   /** One mesh for each of `targetTriangles`. */
-  levels: Mesh[];
+  levels: Level[];
   report: Report;
 }

@@ -5,23 +5,12 @@
 #include <optional>
 #include <vector>
 
+#include "kdmanifold/deviation.h"
 #include "kdmanifold/grid.h"
 #include "kdmanifold/mesh.h"
 #include "kdmanifold/warnings.h"
 
 namespace kdm {
-
-/// How far points of one surface are from another, in model units.
-struct Deviation {
-  double largest = 0;
-  double rms = 0;  ///< root of the mean square over the area
-};
-
-/// How far a result and its input are apart; infinitely, if one of them has no area.
-struct MeshError {
-  Deviation to_input;   ///< of the result's points from the input
-  Deviation to_output;  ///< of the input's points from the result
-};
 
 /// What of an input its result does not come near. Areas are in square model units.
 struct LostArea {

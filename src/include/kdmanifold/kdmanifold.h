@@ -7,6 +7,7 @@
 #include "kdmanifold/analyze.h"
 #include "kdmanifold/boolean.h"
 #include "kdmanifold/build.h"
+#include "kdmanifold/deviation.h"
 #include "kdmanifold/error.h"
 #include "kdmanifold/extract.h"
 #include "kdmanifold/grid.h"

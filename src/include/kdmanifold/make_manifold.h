@@ -30,6 +30,11 @@ struct ReductionOptions {
   /// less memory and fewer bytes. The distance comes on top of the tolerance. 0: the grid stays as
   /// it is.
   double simplify = 0;
+  /// Groups of the input's faces that are to stay apart when the result is reduced, such as those
+  /// of materials (see `ReduceOptions::keep_groups`): one for each number that `source_faces` of
+  /// the result may have. Lines between them stay within the tolerance of where the grid's own
+  /// surface has them, whose triangles are each of one group. Empty: groups do not count.
+  std::vector<Index> keep_groups = {};
 };
 
 /// What `make_manifold` can be told.
@@ -50,7 +55,8 @@ using StepProgress = std::function<Progress(MakeStep)>;
 struct MadeMesh : ExtractedMesh {
   std::optional<SimplifyReport> simplified;  ///< how the grid was simplified; empty: it was not
   std::optional<ReduceReport> reduced;       ///< how it was reduced; empty: it was not
-  std::vector<Mesh> levels;                  ///< one for each of `target_triangles`
+  /// One for each of `target_triangles`, each with its distance from what it was held against.
+  std::vector<ReducedLevel> levels;
   /// Of the grid; but the tolerances are those asked for and kept by the whole, as far as there is
   /// one: the grid of a result that is reduced has 0.8 times it.
   GridStats stats;
@@ -95,7 +101,9 @@ MadeMesh extract_reduced(const Grid& grid, const ExtractOptions& extract,
 /// A reduced mesh that needed no grid, or one that did.
 struct SimplifiedMesh {
   Mesh mesh;
-  std::vector<Mesh> levels;  ///< one for each of `target_triangles`
+  /// One for each of `target_triangles`, each with its distance from the mesh; from what was made
+  /// of it, if it was rebuilt without `error`.
+  std::vector<ReducedLevel> levels;
   ReduceReport report;
   /// What one should know of the repair that the mesh needed first. Empty if it needed none.
   std::vector<Warning> warnings;

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "kdmanifold/deviation.h"
 #include "kdmanifold/mesh.h"
 #include "kdmanifold/progress.h"
 
@@ -18,6 +19,13 @@ struct ReduceOptions {
   /// How many triangles are to be left; several numbers, each smaller than the one before, make
   /// several levels of detail. Empty: as few as `error` allows.
   std::vector<Index> target_triangles = {};
+  /// Groups that are to stay apart, such as those of materials: the group of each face of the
+  /// reference, by the numbers that `source_faces` of the mesh has; without these, of each face of
+  /// the mesh. Lines between triangles of different groups, of which those without a source are
+  /// one, are then reduced along themselves alone: with `error` they stay within it of what they
+  /// were, both ways. The sources of the result are of the groups that its triangles are in. Empty:
+  /// groups do not count.
+  std::vector<Index> keep_groups = {};
 };
 
 /// What was done.
@@ -28,12 +36,20 @@ struct ReduceReport {
   Index flips = 0;  ///< edges that were flipped, at creases that the reference does not have
 };
 
+/// One level of detail, with how far it and the reference are apart. This is measured as `compare`
+/// does, at all vertices and at some 4,000 points spread evenly over the area of either surface: in
+/// between, the largest distance may be a little more. With `error`, parts of the reference that
+/// are further than twice that from the mesh that was given count as lost, not as far away.
+struct ReducedLevel : Mesh {
+  MeshError error;  ///< `to_input`: of the level from the reference; `to_output`: of this from it
+};
+
 /// A reduced mesh. If several numbers of triangles were asked for it is the last level.
 struct ReducedMesh : Mesh {
   ReduceReport report;
   /// One mesh for each of `target_triangles`, as far as `error` and the topology, which stays as it
   /// is, allow. Empty if there is none.
-  std::vector<Mesh> levels;
+  std::vector<ReducedLevel> levels;
 };
 
 /// Collapses edges, the cheapest first: where the sum of squared distances to the planes of the
@@ -43,7 +59,8 @@ struct ReducedMesh : Mesh {
 /// with `error`, new triangles are near to the reference and the reference is near to them. The
 /// latter is tested at points: vertices, middles of edges and of triangles.
 ///
-/// `mesh` must be 2-manifold; the boundary of a sheet stays as it is. What meets itself already may
+/// `mesh` must be 2-manifold; a sheet may have a boundary, of which edges are collapsed along it
+/// alone, so that it keeps its loops. What meets itself already may
 /// go on doing so. `reference` is what the distance counts from, e.g. the input that `mesh` was
 /// made from; parts of `mesh` that are further than `error` from it, such as closed holes, count as
 /// part of it. `source_faces` are those of the reference's triangles that are nearest to the

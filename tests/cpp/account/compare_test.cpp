@@ -9,6 +9,7 @@
 
 #include "account/triangle_set.h"
 #include "kdmanifold/kdmanifold.h"
+#include "mesh/spread.h"
 #include "support/random.h"
 #include "support/random_meshes.h"
 #include "support/shapes.h"

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <map>
 #include <numeric>
 
 #include <Eigen/Geometry>
@@ -106,6 +107,42 @@ TEST(Reduce, MakesLevelsOutOfOneRun) {
   EXPECT_EQ(single.triangles, levels.levels[1].triangles);
 }
 
+// What is measured in points is near to what holds everywhere.
+TEST(Reduce, TellsHowFarEachLevelIs) {
+  const Mesh sphere = shapes::scaled(shapes::icosphere(4), Vec3::Constant(50));
+  for (const double error : {0.0, 5.0}) {
+    const ReducedMesh few =
+        reduce(sphere, sphere, {.error = error, .target_triangles = {2000, 400, 100}});
+    ASSERT_EQ(few.levels.size(), 3u);
+    double before = 0;
+    for (const ReducedLevel& level : few.levels) {
+      const double to_input = check::distance_to(level, sphere);
+      const double to_output = check::distance_to(sphere, level);
+      EXPECT_NEAR(level.error.to_input.largest, to_input, 0.1 * to_input);
+      EXPECT_NEAR(level.error.to_output.largest, to_output, 0.1 * to_output);
+      for (const Deviation& d : {level.error.to_input, level.error.to_output}) {
+        EXPECT_GT(d.rms, before / 10);
+        EXPECT_LT(d.rms, 0.8 * d.largest);
+      }
+      EXPECT_GT(level.error.to_output.rms, before);
+      before = level.error.to_output.rms;
+    }
+  }
+}
+
+// Closed holes are part of what the distance counts from; what the mesh lacks altogether is not.
+TEST(Reduce, MeasuresLevelsWhereThereIsSomethingToMeasure) {
+  const Mesh open = shapes::open(shapes::cube(), 2);
+  const ExtractedMesh fine =
+      extract(build_grid(open, {.tolerance = 1e-3}), {.strict = Strict::kEmbedded});
+  const Mesh with_stray = shapes::merged({open, shapes::translated(shapes::cube(), {9, 0, 0})});
+  const ReducedMesh few = reduce(fine, with_stray, {.error = 2e-3, .target_triangles = {12}});
+  ASSERT_EQ(few.levels.size(), 1u);
+  EXPECT_LT(few.levels[0].error.to_input.largest, 3e-3);
+  EXPECT_LT(few.levels[0].error.to_output.largest, 3e-3);
+  EXPECT_TRUE(reduce({}, {}, {.target_triangles = {10}}).levels[0].triangles.empty());
+}
+
 TEST(Reduce, StopsAtTheErrorBeforeTheNumber) {
   const Mesh sphere = shapes::icosphere(3);
   const ReducedMesh kept = reduce(sphere, sphere, {.error = 0.01, .target_triangles = {4}});
@@ -165,13 +202,169 @@ TEST(Reduce, CarriesNormalsOver) {
   }
 }
 
-TEST(Reduce, LeavesTheRimsOfSheetsAsTheyAre) {
-  const Mesh sheet = shapes::grid_sheet(30, 30, [](double x, double y) { return 0.1 * x * y; });
-  const ReducedMesh few = reduce(sheet, sheet, {.error = 0.01});
+TEST(Reduce, ReducesSheetsAlongTheirRims) {
+  const Mesh flat = shapes::grid_sheet(30, 30, [](double, double) { return 0.0; });
+  const ReducedMesh square = reduce(flat, flat, {.error = 0.01});
+  EXPECT_EQ(square.triangles.size(), 2u);
+  EXPECT_TRUE(check::is_manifold(square));
+  EXPECT_NEAR(describe(square).area, describe(flat).area, 1e-9);
+
+  const Mesh bent = shapes::grid_sheet(30, 30, [](double x, double y) { return 0.1 * x * y; });
+  const ReducedMesh few = reduce(bent, bent, {.error = 0.01});
   EXPECT_TRUE(check::is_manifold(few));
-  EXPECT_EQ(describe(few).boundary_edges, describe(sheet).boundary_edges);
-  EXPECT_LT(few.triangles.size(), sheet.triangles.size() / 4);
-  EXPECT_LE(check::distance_to(few, sheet), 0.013);
+  EXPECT_EQ(describe(few).boundary_loops, 1u);
+  EXPECT_LT(few.triangles.size(), bent.triangles.size() / 20);
+  EXPECT_LE(check::distance_to(few, bent), 0.013);
+  EXPECT_LE(check::distance_to(bent, few), 0.013);
+  EXPECT_LE(check::rim_distance_to(few, bent), 0.013);
+  EXPECT_LE(check::rim_distance_to(bent, few), 0.013);
+}
+
+// The same of what a grid makes of a sheet with a round hole, whose rim it makes anew.
+TEST(Reduce, KeepsTheRimsOfHolesInSheets) {
+  const Mesh input = shapes::grid_sheet(
+      40, 40, [](double x, double y) { return 0.2 * std::sin(3 * x) * y; },
+      [](int i, int j) { return std::hypot(i - 18, j - 22) < 9; });
+  const Mesh fine = extract(build_grid(input, {.tolerance = 0.008, .inside = InsideRule::kSheet}),
+                            {.strict = Strict::kEmbedded});
+  const ReducedMesh few = reduce(fine, input, {.error = 0.01});
+  EXPECT_TRUE(check::is_manifold(few));
+  EXPECT_EQ(describe(few).boundary_loops, 2u);
+  EXPECT_EQ(find_self_intersections(few).pairs, 0u);
+  EXPECT_LT(few.triangles.size(), fine.triangles.size() / 3);
+  EXPECT_LE(check::distance_to(few, input), 0.013);
+  EXPECT_LE(check::distance_to(input, few), 0.013);
+  EXPECT_LE(check::rim_distance_to(few, input), 0.02);
+  EXPECT_LE(check::rim_distance_to(input, few), 0.02);
+}
+
+TEST(Reduce, KeepsTheRimsOfTubesApart) {
+  // Both ends of a tube are rounds that must neither close nor join.
+  const Mesh tube = shapes::tube(1, 2, 48);
+  for (const ReduceOptions& options :
+       {ReduceOptions{.error = 0.02}, ReduceOptions{.target_triangles = {4}}}) {
+    const ReducedMesh few = reduce(tube, tube, options);
+    const MeshReport report = describe(few);
+    EXPECT_TRUE(report.manifold);
+    EXPECT_EQ(report.boundary_loops, 2u);
+    EXPECT_EQ(report.euler_characteristic, 0);
+    EXPECT_EQ(find_self_intersections(few).pairs, 0u);
+    EXPECT_LT(few.triangles.size(), tube.triangles.size());
+  }
+  EXPECT_LE(check::distance_to(tube, reduce(tube, tube, {.error = 0.02})), 0.026);
+}
+
+// Sides of a cube that is cut very finely, in groups left and right of a slanting wavy line.
+struct TwoSides {
+  Mesh mesh = shapes::subdivided(
+      shapes::subdivided(shapes::subdivided(shapes::subdivided(shapes::cube()))));
+  std::vector<Index> groups;
+
+  TwoSides() {
+    for (const Triangle& t : mesh.triangles) {
+      const Vec3 middle = (mesh.positions[t[0]] + mesh.positions[t[1]] + mesh.positions[t[2]]) / 3;
+      const double line = 0.5 + 0.2 * std::sin(4 * middle[1]) + 0.1 * middle[2];
+      groups.push_back(middle[0] < line ? 7 : 3);
+    }
+  }
+};
+
+// The edges between faces of two groups, as triangles without area.
+Mesh borders_of(const Mesh& mesh, const std::vector<Index>& groups) {
+  std::map<std::pair<Index, Index>, Index> group_of_edge;
+  Mesh out;
+  out.positions = mesh.positions;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (int i = 0; i < 3; ++i) {
+      const Index from = mesh.triangles[t][i];
+      const Index to = mesh.triangles[t][(i + 1) % 3];
+      const auto [at, is_new] = group_of_edge.insert({std::minmax(from, to), groups[t]});
+      if (!is_new && at->second != groups[t]) out.triangles.push_back({from, to, to});
+    }
+  }
+  return out;
+}
+
+double area_of_group(const Mesh& mesh, const std::vector<Index>& groups, Index group) {
+  double area = 0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const Triangle& c = mesh.triangles[t];
+    if (groups[t] != group) continue;
+    area += (mesh.positions[c[1]] - mesh.positions[c[0]])
+                .cross(mesh.positions[c[2]] - mesh.positions[c[0]])
+                .norm() /
+            2;
+  }
+  return area;
+}
+
+std::vector<Index> groups_of_sources(const Mesh& mesh, const std::vector<Index>& of_sources) {
+  std::vector<Index> groups;
+  for (const Index source : mesh.source_faces) groups.push_back(of_sources[source]);
+  return groups;
+}
+
+TEST(Reduce, KeepsGroupsApart) {
+  TwoSides sides;
+  sides.mesh.source_faces.resize(sides.mesh.triangles.size());
+  std::iota(sides.mesh.source_faces.begin(), sides.mesh.source_faces.end(), 0);
+  const Mesh before = borders_of(sides.mesh, sides.groups);
+  for (const double error : {0.005, 0.02, 0.05}) {
+    const ReducedMesh few =
+        reduce(sides.mesh, sides.mesh, {.error = error, .keep_groups = sides.groups});
+    EXPECT_TRUE(check::is_two_manifold(few));
+    EXPECT_LT(few.triangles.size(), sides.mesh.triangles.size() / 4);
+    const std::vector<Index> groups = groups_of_sources(few, sides.groups);
+    const Mesh after = borders_of(few, groups);
+    EXPECT_LE(check::distance_to(after, before), 1.05 * error);
+    EXPECT_LE(check::distance_to(before, after), 1.05 * error);
+    // One line, not several, and nothing of the other group beyond it.
+    EXPECT_NEAR(area_of_group(few, groups, 7), area_of_group(sides.mesh, sides.groups, 7),
+                4 * error);
+    EXPECT_LT(after.triangles.size(), before.triangles.size());
+  }
+  // Without the groups nothing holds the line.
+  const ReducedMesh plain = reduce(sides.mesh, sides.mesh, {.error = 0.05});
+  EXPECT_EQ(plain.triangles.size(), 12u);
+}
+
+TEST(Reduce, KeepsGroupsApartByNumbersOfTriangles) {
+  const TwoSides sides;
+  const ReducedMesh few =
+      reduce(sides.mesh, sides.mesh, {.target_triangles = {400, 100}, .keep_groups = sides.groups});
+  for (const ReducedLevel& level : few.levels) {
+    EXPECT_TRUE(check::is_two_manifold(level));
+    EXPECT_EQ(find_self_intersections(level).pairs, 0u);
+  }
+  EXPECT_LE(few.triangles.size(), 100u);
+}
+
+TEST(Reduce, KeepsGroupsThatAreSingleTriangles) {
+  Mesh mesh = shapes::icosphere(3);
+  mesh.source_faces.assign(mesh.triangles.size(), 0);
+  mesh.source_faces[17] = 1;
+  mesh.source_faces[900] = kNone;
+  const ReducedMesh few = reduce(mesh, mesh, {.error = 0.3, .keep_groups = {5, 6}});
+  EXPECT_TRUE(check::is_two_manifold(few));
+  EXPECT_EQ(std::count(few.source_faces.begin(), few.source_faces.end(), 1u), 1);
+  EXPECT_EQ(std::count(few.source_faces.begin(), few.source_faces.end(), kNone), 1);
+}
+
+TEST(Reduce, RefusesFacesWithoutGroup) {
+  Mesh mesh = shapes::cube();
+  const auto complaint = [&] {
+    try {
+      reduce(mesh, mesh, {.error = 0.1, .keep_groups = {0, 1, 2}});
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(complaint(), "`keep_groups`: it has 3 entries, but there is a face 11");
+  mesh.source_faces.assign(12, 2);
+  EXPECT_EQ(complaint(), "");
+  mesh.source_faces[4] = 3;
+  EXPECT_EQ(complaint(), "`keep_groups`: it has 3 entries, but there is a face 3");
 }
 
 TEST(Reduce, CutsQuads) {

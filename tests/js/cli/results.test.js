@@ -157,6 +157,13 @@ test('a file for each level, the same from both', () =>
     });
     const made = reports.map(({ levels }) => levels.map(({ triangles }) => triangles));
     expect(made[1]).toEqual(made[0]);
+    const errors = reports.map(({ levels }) => levels.map(({ error }) => error));
+    expect(errors[1]).toEqual(errors[0]);
+    for (const { toInput, toOutput } of errors[0]) {
+      expect(toInput.largest).toBeGreaterThan(toInput.rms);
+      expect(toOutput.largest).toBeGreaterThan(toOutput.rms);
+      expect(toOutput.largest).toBeLessThan(0.36);
+    }
     expect(reports[1].levels.map(({ file }) => file)).toEqual(['Node.1.ply', 'Node.2.ply']);
     for (const level of [1, 2]) {
       const [native, node] = ['native', 'Node'].map((name) =>
@@ -168,7 +175,7 @@ test('a file for each level, the same from both', () =>
     expect(existsSync(join(folder, 'Node.ply'))).toBe(false);
     const texts = both(['a.obj', ...levels], { cwd: folder }).map(({ stdout }) => stdout);
     expect(withoutNumbers(texts[1])).toBe(withoutNumbers(texts[0]));
-    expect(texts[0]).toContain(`level    ${made[0][0]} triangles`);
+    expect(texts[0]).toContain(`level    ${made[0][0]} triangles, result to input at most `);
   }));
 
 test('a grid that was built for it is reduced when it is loaded, by both alike', () =>

@@ -194,9 +194,10 @@ async function work(
       ...(simplify && { simplify }),
       ...(reduce && { reduce }),
       ...(levels.length > 0 && {
-        levels: levels.map(({ indices }, i) => ({
+        levels: levels.map(({ indices, error }, i) => ({
           triangles: indices.length / 3,
           file: paths[i] ?? null,
+          error,
         })),
       }),
       ...found,

@@ -23,6 +23,7 @@ import type {
 export interface Level {
   triangles: number;
   file: string | null;
+  error: MeshError;
 }
 
 /** What is known at the end of a run. */
@@ -190,7 +191,8 @@ function reductionLines({
   levels = [],
 }: NonNullable<CliReport['result']>): string[] {
   const lines = levels.map(
-    ({ file, triangles }) => `level    ${file === null ? '' : `${file}: `}${triangles} triangles`,
+    ({ file, triangles, error }) =>
+      `level    ${file === null ? '' : `${file}: `}${triangles} triangles, ${errorText(error)}`,
   );
   if (reduce) {
     lines.unshift(`reduced  from ${reduce.trianglesBefore} triangles to ${reduce.triangles}`);
@@ -208,6 +210,12 @@ function threeDigits(value: number): string {
   return value.toFixed(value > 0 ? decimals : 0);
 }
 
+function errorText(error: MeshError): string {
+  const numbers = ({ largest, rms }: Deviation): string =>
+    `at most ${threeDigits(largest)} (rms ${threeDigits(rms)})`;
+  return `result to input ${numbers(error.toInput)}, input to result ${numbers(error.toOutput)}`;
+}
+
 // What the result lacks, and how far it is from the input.
 function accountLines({ lost, error }: NonNullable<CliReport['result']>): string[] {
   const lines: string[] = [];
@@ -216,13 +224,7 @@ function accountLines({ lost, error }: NonNullable<CliReport['result']>): string
       `lost     ${threeDigits(100 * lost.share)} % of the input's area, in ${lost.parts} pieces`,
     );
   }
-  if (error) {
-    const numbers = ({ largest, rms }: Deviation): string =>
-      `at most ${threeDigits(largest)} (rms ${threeDigits(rms)})`;
-    lines.push(
-      `error    result to input ${numbers(error.toInput)}, input to result ${numbers(error.toOutput)}`,
-    );
-  }
+  if (error) lines.push(`error    ${errorText(error)}`);
   return lines;
 }
 
