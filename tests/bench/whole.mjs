@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// `npm run bench -- --whole [MODEL...] [--tolerance 0.002] [--repeat 5]`: the conversion that users get, file by file, by
-// the native command line: whether the result is 2-manifold and embedded, and welds by position to a 2-manifold mesh when
-// it is written as STL; area lost; how far result and input are from each other, both ways, in tolerances; processor
-// time of the whole process, and how much of it goes into making the result embedded.
+// `npm run bench -- --whole [MODEL...] [--soups] [--tolerance 0.002] [--repeat 5]`: the conversion that users get, file
+// by file, or for scenes of many loose parts, by the native command line: whether the result is 2-manifold and embedded,
+// and welds by position to a 2-manifold mesh when it is written as STL; area lost; how far result and input are from
+// each other, both ways, in tolerances; processor time of the whole process, and how much of it goes into making the
+// result embedded.
 import { spawnSync } from 'node:child_process';
 import { join } from 'node:path';
 import { builders } from '../../scripts/build.mjs';
@@ -17,10 +18,12 @@ import {
   printTable,
   withFolder,
 } from './shared.mjs';
+import { writeSoups } from './soups.mjs';
 
 const options = commandLine({
   tolerance: { type: 'string', default: '0.002' },
   repeat: { type: 'string', default: '5' },
+  soups: { type: 'boolean', default: false },
 });
 builders.native();
 const tools = buildTools(['kdm_measure']);
@@ -92,7 +95,9 @@ function rowOf(file, folder) {
 }
 
 const rows = await withFolder((folder) =>
-  modelFiles(options.models, ['../shared/data']).map((file) => rowOf(file, folder)),
+  (options.soups ? writeSoups(folder) : modelFiles(options.models, ['../shared/data'])).map(
+    (file) => rowOf(file, folder),
+  ),
 );
 printTable(rows.filter((row) => row.refused === undefined));
 for (const { model, refused } of rows)
