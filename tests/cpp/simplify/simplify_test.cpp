@@ -162,7 +162,7 @@ TEST(Simplify, StaysWithinTheDistance) {
 
 // Every split that separates no two corners goes, and each corner is met exactly.
 TEST(Simplify, MakesACubeOfEightVertices) {
-  for (const int depth : {9, 12}) {
+  for (const int depth : {9, 12, 15}) {
     SCOPED_TRACE(depth);
     Grid grid = build_grid(shapes::cube(), {.strategy = SplitStrategy::kUniform, .depth = depth});
     simplify(grid, {.surface_error = 0.02});
