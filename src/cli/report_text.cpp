@@ -96,8 +96,9 @@ std::string input_text(const RunReport& report, const Command& command, const Ta
 // What had to be done to surfaces that are not closed and consistently oriented.
 std::string repair_text(const RunReport& report) {
   const InputReport& input = report.input;
-  if (input.sewn_edges + input.turned_faces + input.duplicate_faces + report.grid.invented_hits ==
-      0) {
+  const bool cut = input.closed && report.grid.thin_area + report.grid.narrow_area > 0;
+  if (input.sewn_edges + input.turned_faces + input.duplicate_faces == 0 &&
+      (cut || report.grid.invented_hits == 0)) {
     return "";
   }
   const double area = report.output.area;

@@ -93,6 +93,13 @@ void hand_down_edge(int axis, int i, EdgeRange range, Halves& halves) {
   }
 }
 
+// Splits a box in the middle of its longest side; not one that has no middle.
+std::optional<Split> halve_longest(const LatticeBox& box) {
+  const int axis = longest_axis(box);
+  if (extent(box, axis) < 2) return std::nullopt;
+  return Split{axis, box.lo[axis] + extent(box, axis) / 2};
+}
+
 // One attempt to construct the cells.
 class Construction {
  public:
@@ -100,6 +107,7 @@ class Construction {
                InsideModel& model, const Progress& progress, GridData& grid)
       : model_(model),
         grid_(grid),
+        depth_(depth),
         rule_(make_split_rule(surface, model, options, tolerance, depth)),
         lists_(surface.triangles),
         search_(surface.triangles),
@@ -141,9 +149,12 @@ class Construction {
       frame.several_solids = solids_.leave_out(frame.state[0], lists_, frame.triangles);
     }
     if (frame.triangles.size() == 0) return;
-    const std::optional<Split> split =
+    std::optional<Split> split =
         rule_->choose({frame.box, frame.depth, lists_.entries(frame.triangles), frame.rule,
                        frame.edges, crossings_.all, frame.state[0]});
+    if (!split && frame.depth < depth_ && model_.must_split(frame.box)) {
+      split = halve_longest(frame.box);
+    }
     if (!split) return;
     budget_.take_split();
     KDM_ASSERT(split->value > frame.box.lo[split->axis] && split->value < frame.box.hi[split->axis],
@@ -225,6 +236,7 @@ class Construction {
 
   InsideModel& model_;
   GridData& grid_;
+  int depth_;  // that no cell goes beyond
   std::unique_ptr<SplitRule> rule_;
   TriangleLists lists_;
   CrossingSearch search_;

@@ -52,6 +52,14 @@ Marks named_operands(const Expression& expression, std::size_t operands) {
   return named;
 }
 
+void check_for_solids(const BuildOptions& options) {
+  for (const auto& [name, size] : {std::pair("minimum_thickness", options.minimum_thickness),
+                                   std::pair("minimum_gap", options.minimum_gap)}) {
+    if (size == 0) continue;
+    throw Error(ErrorCode::kInvalidOption, compose("`{}`: not for Boolean operations", name));
+  }
+}
+
 // Tells whether the expression holds for points far away from all operands.
 bool holds_far_away(const Expression& expression) {
   const std::vector<Index> operands(expression.operands(), 0);
@@ -97,6 +105,7 @@ SolidsGrid build_csg_grid_within(const std::vector<Operand>& operands, const Exp
                                  const BuildOptions& options, double share,
                                  const Progress& progress) try {
   check_options(options);
+  check_for_solids(options);
   const Marks named = named_operands(expression, operands.size());
   report_progress(progress, 0.0, "prepare");
   std::vector<SolidFaces> solids;

@@ -8,6 +8,7 @@
 
 #include "construct/exact_parts.h"
 #include "construct/grid_of_surface.h"
+#include "csg/open_and_close.h"
 #include "csg/solidify.h"
 #include "inside/make_inside_model.h"
 #include "kdmanifold/error.h"
@@ -52,13 +53,17 @@ Grid build_grid_within(const Mesh& mesh, const BuildOptions& options, double sha
   Surface surface = prepare_surface(std::move(faces), options);
   check_thickness(options.thicken, surface.lattice.step);
   const double tolerance = share * lattice_tolerance(surface, options);
+  Surface whole = opens_or_closes(options) ? surface : Surface();
   SolidStates states(SolidFunction(0, std::array<Index, 1>{0}), {options.inside});
   ExactParts exact = take_exact_parts(surface, states, options);
   const std::unique_ptr<InsideModel> model = make_inside_model(surface, options, tolerance);
   std::unique_ptr<GridData> grid =
-      grid_of_surface(surface, *model, options, tolerance, std::move(exact), progress);
+      grid_of_surface(surface, *model, options, tolerance, std::move(exact),
+                      opens_or_closes(options) ? part_of_progress(progress, 0, 0.5) : progress);
   if (threshold > 0) grid->stats.winding_threshold = threshold;
-  return Grid(std::move(grid));
+  if (!opens_or_closes(options)) return Grid(std::move(grid));
+  return open_and_close(Grid(std::move(grid)), std::move(whole), options, tolerance,
+                        part_of_progress(progress, 0.5, 1));
 } catch (const std::bad_alloc&) {
   throw Error(ErrorCode::kOutOfMemory, "there is not enough memory to build the grid");
 }

@@ -27,7 +27,8 @@ class Collector {
   std::vector<Warning> found_;
 };
 
-void warn_of_losses(const InputReport& input, const ExtractReport& report, Collector& to) {
+void warn_of_losses(const InputReport& input, const GridStats& grid, const ExtractReport& report,
+                    Collector& to) {
   if (input.lost_parts > 0) {
     to.add("PARTS_LOST",
            compose("parts of the input that bound nothing were left out: {}, an area of {}, the "
@@ -38,6 +39,14 @@ void warn_of_losses(const InputReport& input, const ExtractReport& report, Colle
     to.add("PARTS_DROPPED",
            compose("parts of the result were left out, as the option parts says: {}",
                    report.dropped_parts));
+  }
+  if (grid.thin_area > 0) {
+    to.add("THIN_REMOVED", compose("what is thinner than asked for was removed, with an area of {}",
+                                   rounded(grid.thin_area)));
+  }
+  if (grid.narrow_area > 0) {
+    to.add("GAPS_FILLED", compose("gaps narrower than asked for were filled, with an area of {}",
+                                  rounded(grid.narrow_area)));
   }
   if (report.small_parts > 0) {
     to.add("PARTS_DROPPED", compose("{} left out as smaller than asked for, with a volume of {}",
@@ -105,7 +114,8 @@ void warn_of_repair(const InputReport& input, const GridStats& grid, const Extra
     to.add("SEWN_FAR", compose("edges up to {} apart were sewn together, more than the tolerance",
                                rounded(input.sewing_distance)));
   }
-  if (report.invented_area > 0) {
+  const bool cut = input.closed && grid.thin_area + grid.narrow_area > 0;
+  if (report.invented_area > 0 && !cut) {
     const double percent = area > 0 ? 100 * report.invented_area / area : 0;
     to.add("HOLES_CLOSED",
            compose("holes were closed: {} % of the result's area is new", rounded(percent)));
@@ -126,7 +136,7 @@ void warn_of_repair(const InputReport& input, const GridStats& grid, const Extra
 std::vector<Warning> collect_warnings(const InputReport& input, const GridStats& grid,
                                       const ExtractReport& report, double area) {
   Collector to;
-  warn_of_losses(input, report, to);
+  warn_of_losses(input, grid, report, to);
   warn_of_exactness(input, grid, report, to);
   warn_of_repair(input, grid, report, area, to);
   return to.take();

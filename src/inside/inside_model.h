@@ -66,6 +66,13 @@ class InsideModel {
   /// for each edge what `plan_edge` appended.
   virtual void finish_edges(const EdgeCrossings& planned, HitWriter& writer) = 0;
 
+  /// Tells whether what is inside changes within the box elsewhere than at the surface, so that a
+  /// leaf must be smaller.
+  virtual bool must_split(const LatticeBox& box) const {
+    static_cast<void>(box);
+    return false;
+  }
+
   /// Returns how much was computed so far to find states, in units of WindingField::work; 0 if
   /// states are only counted.
   virtual std::size_t work() const { return 0; }

@@ -6,6 +6,7 @@
 #include "geometry/assert.h"
 #include "inside/gaps.h"
 #include "inside/winding.h"
+#include "inside/winding_field.h"
 #include "inside/winding_oracle.h"
 #include "inside/write_hits.h"
 
@@ -72,7 +73,9 @@ std::unique_ptr<InsideModel> make_inside_model(const Surface& surface, const Bui
                                                double tolerance) {
   if (surface.sheet) return std::make_unique<SheetModel>();
   if (surface.repair) {
-    return std::make_unique<WindingOracle>(surface, options.winding_threshold, tolerance);
+    return std::make_unique<WindingOracle>(
+        surface, std::make_shared<WindingField>(surface.triangles, options.winding_threshold),
+        tolerance);
   }
   return std::make_unique<WindingModel>(surface, options.inside, tolerance);
 }

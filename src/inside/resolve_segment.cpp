@@ -18,6 +18,12 @@ constexpr LinePosition position_of(std::int32_t coordinate) {
 // Returns the last position below a coordinate, which may be the root's upper end.
 constexpr LinePosition last_below(std::int32_t coordinate) { return position_of(coordinate) - 1; }
 
+Vec3 point_at(const Segment& segment, double position) {
+  Vec3 p = to_vec3(segment.low);
+  p[segment.axis] = position;
+  return p;
+}
+
 }  // namespace
 
 bool consistent(const Segment& segment, const std::vector<Crossing>& crossings) {
@@ -33,7 +39,7 @@ bool consistent(const Segment& segment, const std::vector<Crossing>& crossings) 
 void SegmentResolver::resolve(const Segment& segment, std::vector<Crossing>& crossings, bool invent,
                               std::vector<ClassifiedCrossing>& classified) {
   sort_crossings(crossings);
-  if (consistent(segment, crossings)) {
+  if (consistent(segment, crossings) && follows(segment, crossings)) {
     for (const Crossing& c : crossings) {
       classified.emplace_back(c.position, c.triangle, c.leaving ? 0 : 1, CrossingRole::kBounds,
                               c.leaving);
@@ -114,9 +120,14 @@ LinePosition SegmentResolver::change_between(const Segment& segment, LinePositio
 }
 
 bool SegmentResolver::inside(const Segment& segment, double position) const {
-  Vec3 p = to_vec3(segment.low);
-  p[segment.axis] = position;
-  return field_.inside(p);
+  return field_.inside(point_at(segment, position));
+}
+
+bool SegmentResolver::follows(const Segment& segment,
+                              const std::vector<Crossing>& crossings) const {
+  return std::all_of(crossings.begin(), crossings.end(), [&](const Crossing& c) {
+    return field_.follows_surface(point_at(segment, real_position(c.position)));
+  });
 }
 
 }  // namespace kdm

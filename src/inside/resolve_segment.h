@@ -5,8 +5,8 @@
 
 #include <vector>
 
+#include "inside/point_field.h"
 #include "inside/winding.h"
-#include "inside/winding_field.h"
 
 namespace kdm {
 
@@ -24,15 +24,16 @@ struct Segment {
 class SegmentResolver {
  public:
   /// The positions of invented crossings are exact to `precision`, in lattice units.
-  SegmentResolver(const WindingField& field, double precision)
+  SegmentResolver(const PointField& field, double precision)
       : field_(field), precision_(precision) {}
 
   /// Sorts the crossings of a segment and appends them to `classified`; their states are 1 inside
   /// and 0 outside. Crossings that alternate and fit the segment's ends are all kept, and the field
-  /// is not asked. Otherwise the field is asked on both sides of each crossing; a crossing is kept
-  /// if the state changes across it, and turned if it runs against the change. With `invent`, a
-  /// crossing without triangle (kNone) is added where the state changes between two crossings, at
-  /// a hole; then the crossings that are kept alternate and fit the ends.
+  /// is not asked, if it follows the surface there. Otherwise the field is asked on both sides of
+  /// each crossing; a crossing is kept if the state changes across it, and turned if it runs
+  /// against the change. With `invent`, a crossing without triangle (kNone) is added where the
+  /// state changes between two crossings, at a hole; then the crossings that are kept alternate and
+  /// fit the ends.
   void resolve(const Segment& segment, std::vector<Crossing>& crossings, bool invent,
                std::vector<ClassifiedCrossing>& classified);
 
@@ -49,8 +50,9 @@ class SegmentResolver {
   LinePosition change_between(const Segment& segment, LinePosition low, LinePosition high,
                               bool inside_low) const;
   bool inside(const Segment& segment, double position) const;
+  bool follows(const Segment& segment, const std::vector<Crossing>& crossings) const;
 
-  const WindingField& field_;
+  const PointField& field_;
   double precision_;
   std::vector<Cluster> clusters_;
 };

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/lattice.h"
+#include "inside/point_field.h"
 #include "mesh/numbers.h"
 
 namespace kdm {
@@ -16,14 +16,14 @@ namespace kdm {
 /// Winding numbers of points, and which of them are inside. Near a closed surface the number is 0
 /// outside and 1 inside; at a hole it passes smoothly from one to the other. Points are in lattice
 /// units.
-class WindingField {
+class WindingField final : public PointField {
  public:
   /// Builds the tree, in time n log n. Points with a winding number above `threshold` will be
   /// inside; 0 stands for a threshold that suits the triangles (see choose_winding_threshold). The
   /// triangles must outlive the field.
   WindingField(std::span<const LatticeTriangle> triangles, double threshold);
 
-  double threshold() const { return threshold_; }
+  double threshold() const override { return threshold_; }
 
   /// Returns the winding number of a point, exact to about 0.01.
   double winding(const Vec3& p) const;
@@ -32,18 +32,16 @@ class WindingField {
   /// finer one only if the threshold lies within the error of the rough one. If the winding number
   /// is within about 0.01 of the threshold, the answer may be wrong. That happens at holes only:
   /// beside a triangle, winding numbers are about one half away from the threshold.
-  bool inside(const Vec3& p) const;
-  /// Tells whether a grid vertex is inside. The vertex is read as shifted by (e, e^2, e^3), e
-  /// infinitesimal (see geometry/predicates.h). On which side of each triangle the vertex lies is
-  /// decided exactly.
-  bool inside(const LatticePoint& p) const;
+  bool inside(const Vec3& p) const override;
+  /// On which side of each triangle the vertex lies is decided exactly.
+  bool inside(const LatticePoint& p) const override;
   /// Returns the gradient of the winding number, per lattice unit. It points towards the inside.
   /// The triangles close to the point count exactly, those far away as in the finer sum.
-  Vec3 gradient(const Vec3& p) const;
+  Vec3 gradient(const Vec3& p) const override;
 
   /// Returns how much was summed so far, in triangles. Four tree nodes seen from afar count as one
   /// triangle: they take as long.
-  std::size_t work() const { return work_; }
+  std::size_t work() const override { return work_; }
 
  private:
   static constexpr int kLevels = 2;  // of accuracy: 0 rough, 1 fine

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Finds the states of grid vertices by winding numbers, and makes hits that fit these states.
+// Finds the states of grid vertices by a field, and makes hits that fit these states.
 #include "inside/winding_oracle.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "grid/faces.h"
 #include "mesh/sort.h"
@@ -38,10 +39,9 @@ struct WindingOracle::GridVertices {
   std::array<std::vector<std::uint64_t>, 3> lines;
 };
 
-WindingOracle::WindingOracle(const Surface& surface, double threshold, double tolerance)
-    : surface_(surface),
-      field_(surface.triangles, threshold),
-      resolver_(field_, precision_for(tolerance)) {}
+WindingOracle::WindingOracle(const Surface& surface, std::shared_ptr<const PointField> field,
+                             double tolerance)
+    : surface_(surface), field_(std::move(field)), resolver_(*field_, precision_for(tolerance)) {}
 
 int WindingOracle::state_at(const LatticePoint& vertex, int counted) {
   static_cast<void>(counted);
@@ -52,7 +52,7 @@ bool WindingOracle::inside(const LatticePoint& vertex) {
   if (on_root_side(vertex)) return false;
   const auto [entry, is_new] =
       known_states_.try_emplace(pack(vertex[0], vertex[1], vertex[2]), false);
-  if (is_new) entry->second = field_.inside(vertex);
+  if (is_new) entry->second = field_->inside(vertex);
   return entry->second;
 }
 
@@ -142,13 +142,13 @@ void WindingOracle::write_segment(const SplittingEdge& edge, const Segment& segm
   }
 }
 
-// Returns the plane through the crossing in whose directions the winding number does not change.
+// Returns the plane through the crossing in whose directions the field does not change.
 Plane WindingOracle::invented_plane(const Segment& segment,
                                     const ClassifiedCrossing& invented) const {
   const double up = invented.leaving() ? 1 : -1;
   Vec3 point = to_vec3(segment.low);
   point[segment.axis] = real_position(invented.position());
-  Vec3 normal = -field_.gradient(point);
+  Vec3 normal = -field_->gradient(point);
   // Where the gradient is nearly normal to the edge or runs against the crossing's direction, the
   // plane is taken normal to the edge.
   constexpr double kLeastCosine = 0.05;

@@ -1,27 +1,27 @@
 // SPDX-License-Identifier: MIT
 // Tells inside from outside for surfaces that are not closed, or whose triangles do not face
-// consistently.
+// consistently, and wherever else a field says what is inside.
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <unordered_map>
 #include <vector>
 
 #include "grid/splitting_edges.h"
 #include "inside/inside_model.h"
+#include "inside/point_field.h"
 #include "inside/resolve_segment.h"
-#include "inside/winding_field.h"
 
 namespace kdm {
 
-/// Tells inside (state 1) from outside (0) by the generalised winding number, and makes hits that
-/// agree with this. The crossings of such a surface may contradict each other, so states are not
-/// found by counting crossings. Where the surface has a hole, hits are invented.
+/// Tells inside (state 1) from outside (0) by a field, such as the generalised winding number, and
+/// makes hits that agree with this. The crossings of such a surface may contradict each other, so
+/// states are not found by counting crossings. Where the surface has a hole, hits are invented.
 class WindingOracle final : public InsideModel {
  public:
-  /// Points whose winding number is above `threshold` are inside; 0 stands for a threshold that
-  /// suits the surface (see WindingField). `tolerance` is in lattice units.
-  WindingOracle(const Surface& surface, double threshold, double tolerance);
+  /// Keeps a reference to the surface. `tolerance` is in lattice units.
+  WindingOracle(const Surface& surface, std::shared_ptr<const PointField> field, double tolerance);
 
   /// Returns 1 if the grid vertex is inside, else 0. Vertices on the root cell's sides are outside.
   /// Answers are remembered.
@@ -35,8 +35,9 @@ class WindingOracle final : public InsideModel {
   /// Writes hits that fit the states of all grid vertices.
   void finish_edges(const EdgeCrossings& planned, HitWriter& writer) override;
 
-  std::size_t work() const override { return field_.work(); }
-  void report(GridStats& stats) const override { stats.winding_threshold = field_.threshold(); }
+  bool must_split(const LatticeBox& box) const override { return field_->must_split(box); }
+  std::size_t work() const override { return field_->work(); }
+  void report(GridStats& stats) const override { stats.winding_threshold = field_->threshold(); }
 
  private:
   struct GridVertices;
@@ -49,7 +50,7 @@ class WindingOracle final : public InsideModel {
   Plane invented_plane(const Segment& segment, const ClassifiedCrossing& invented) const;
 
   const Surface& surface_;
-  WindingField field_;
+  std::shared_ptr<const PointField> field_;
   SegmentResolver resolver_;
   std::unordered_map<std::uint64_t, bool> known_states_;  // by position; only ever looked up
   std::vector<Crossing> crossings_;                       // of the segment at hand

@@ -83,6 +83,8 @@ void check_combination(const BuildOptions& options, const IsGiven& given) {
   const bool shells_all = options.thicken > 0 && !sheets;
   const char* const by_tolerance = "only with `strategy` adaptive, octree or feature";
   const char* const by_repair = "only with `inside` repair";
+  const bool solid = repair || options.inside == InsideRule::kPositive;
+  const char* const by_solid = "only with `inside` repair or positive";
   demand({{"relative_tolerance", options.tolerance == 0, "not together with `tolerance`"},
           {"tolerance", !counts, by_tolerance},
           {"relative_tolerance", !counts, by_tolerance},
@@ -93,6 +95,10 @@ void check_combination(const BuildOptions& options, const IsGiven& given) {
           {"thicken_what", !sheets || repair, "sheets only with `inside` repair"},
           {"thicken_what", !sheets || options.winding_threshold == 0,
            "not sheets together with `winding_threshold`"},
+          {"minimum_thickness", !counts, by_tolerance},
+          {"minimum_gap", !counts, by_tolerance},
+          {"minimum_thickness", solid, by_solid},
+          {"minimum_gap", solid, by_solid},
           {"pairing", !sided || options.inside != InsideRule::kSheet,
            "only trace or hermite with `inside` sheet"}},
          given);
@@ -117,6 +123,8 @@ void check_options(const BuildOptions& options) {
     if (name == "winding_threshold") return options.winding_threshold != standard.winding_threshold;
     if (name == "largest_hole") return options.largest_hole != standard.largest_hole;
     if (name == "thicken_what") return options.thicken_what != standard.thicken_what;
+    if (name == "minimum_thickness") return options.minimum_thickness != standard.minimum_thickness;
+    if (name == "minimum_gap") return options.minimum_gap != standard.minimum_gap;
     return options.pairing != standard.pairing;
   });
 }

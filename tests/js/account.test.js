@@ -70,6 +70,27 @@ test('parts and cavities smaller than asked for go, and all of it is told', asyn
   grid.delete();
 });
 
+test('what is thinner than asked for goes, gaps are filled, and all of it is told', async () => {
+  const plate = cube(2, [0, 0, 3]);
+  for (let i = 2; i < plate.positions.length; i += 3) {
+    plate.positions[i] = 3 + 0.05 * Math.sign(plate.positions[i] - 3);
+  }
+  const thin = together(cube(2), plate); // 0.1 thick
+  const options = { tolerance: 0.01, minimumThickness: 0.2 };
+  const one = await makeManifold(thin, options);
+  expect(faults(one.mesh)).toEqual([]);
+  expect(one.report.output).toMatchObject({ components: 1, eulerCharacteristic: 2 });
+  expect(one.report.grid.thinArea).toBeCloseTo(8.8, 1);
+  expect(one.report.warnings.map(({ code }) => code)).toContain('THIN_REMOVED');
+  const kept = await makeManifold(thin, { ...options, minimumThickness: 0.05 });
+  expect(kept.mesh).toEqual((await makeManifold(thin, { tolerance: 0.01 })).mesh);
+  const apart = together(cube(2), cube(2, [2.1, 0, 0]));
+  const joined = await makeManifold(apart, { tolerance: 0.01, minimumGap: 0.2 });
+  expect(faults(joined.mesh)).toEqual([]);
+  expect(joined.report.output).toMatchObject({ components: 1, eulerCharacteristic: 2 });
+  expect(joined.report.warnings.map(({ code }) => code)).toContain('GAPS_FILLED');
+});
+
 test('walls within the solid are not lost', async () => {
   const input = together(cube(), cube(2, [1, 1, 1]));
   const { report } = await makeManifold(input, { check: true });

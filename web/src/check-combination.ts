@@ -15,6 +15,8 @@ type Rule<Options> = [keyof Options & string, (options: Options) => boolean, str
 const counts = ({ strategy }: BuildOptions): boolean =>
   strategy === 'median' || strategy === 'uniform';
 const noRepair = ({ inside = 'repair' }: BuildOptions): boolean => inside !== 'repair';
+const noSolid = ({ inside = 'repair' }: BuildOptions): boolean =>
+  inside !== 'repair' && inside !== 'positive';
 const byTolerance = 'only with `strategy` adaptive, octree or feature';
 
 const buildRules: Rule<BuildOptions>[] = [
@@ -39,6 +41,10 @@ const buildRules: Rule<BuildOptions>[] = [
     ({ thickenWhat, windingThreshold = 0 }) => thickenWhat === 'sheets' && windingThreshold > 0,
     'not sheets together with `windingThreshold`',
   ],
+  ['minimumThickness', counts, byTolerance],
+  ['minimumGap', counts, byTolerance],
+  ['minimumThickness', noSolid, 'only with `inside` repair or positive'],
+  ['minimumGap', noSolid, 'only with `inside` repair or positive'],
   [
     'pairing',
     ({ pairing, inside }) => inside === 'sheet' && (pairing === 'inside' || pairing === 'outside'),

@@ -80,6 +80,17 @@ export interface BuildOptions {
    *   `repair`
    */
   thickenWhat?: 'all' | 'sheets';
+  /**
+   * Leave out what of the solid is thinner than this, in model units. Up to 0.6 times as much stays
+   * where it ends in something thicker, and edges of less than 54 degrees become blunt. Measured as
+   * exactly as the tolerance. 0, the default: nothing.
+   */
+  minimumThickness?: number;
+  /**
+   * Fill gaps, holes and cavities that are narrower than this, in model units. In the same way,
+   * after `minimumThickness`. 0, the default: none.
+   */
+  minimumGap?: number;
 }
 
 /** How a grid becomes a mesh. */
@@ -245,6 +256,8 @@ export const buildOptions: OptionTable<BuildOptions> = {
   },
   thicken: { flag: '--thicken', kind: 'number', least: 0, default: 0 },
   thickenWhat: { flag: '--thicken-what', kind: 'choice', words: ['all', 'sheets'], default: 'all' },
+  minimumThickness: { flag: '--minimum-thickness', kind: 'number', least: 0, default: 0 },
+  minimumGap: { flag: '--minimum-gap', kind: 'number', least: 0, default: 0 },
 };
 
 /** @internal */

@@ -139,6 +139,15 @@ export interface GridStats {
   guessedFaces: number;
   /** Hits of no input face, where holes were closed. */
   inventedHits: number;
+  /**
+   * Area of the surface that is thinner than `minimumThickness`, and gone. In square model units.
+   */
+  thinArea: number;
+  /**
+   * Area of the surface that bounds gaps narrower than `minimumGap`, which are filled. In square
+   * model units.
+   */
+  narrowArea: number;
 }
 
 /** How a mesh was made of a grid. */

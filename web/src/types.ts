@@ -130,6 +130,8 @@ export interface Warning {
     | 'PARTS_LOST'
     | 'PARTS_DROPPED'
     | 'CAVITIES_FILLED'
+    | 'THIN_REMOVED'
+    | 'GAPS_FILLED'
     | 'TOLERANCE_WIDENED'
     | 'TOPOLOGY_UNRESOLVED'
     | 'TRIANGLES_CROSS'

@@ -80,6 +80,15 @@ struct BuildOptions {
   double thicken = 0;
   /// Which parts of the surface get that thickness.
   ThickenWhat thicken_what = ThickenWhat::kAll;
+  /// Leaves out what of the solid is thinner than this, in model units; within the tolerance, and
+  /// within a sixteenth of the thickness at most, it is left to chance. Up to 0.6 times the
+  /// thickness stays of thin things where they end in something thicker, and edges of less than 54
+  /// degrees become blunt. Not negative; 0 leaves out nothing. For the strategies that go by a
+  /// tolerance, and the rules `kRepair` and `kPositive`; not for Boolean operations.
+  double minimum_thickness = 0;
+  /// Fills gaps, holes and cavities of the solid that are narrower than this, in the same way: it
+  /// is the least thickness of what lies outside. After `minimum_thickness`.
+  double minimum_gap = 0;
 };
 
 /// Builds the grid of a mesh after joining vertices of exactly equal position. What the mesh must

@@ -101,7 +101,12 @@ struct GridStats {
   Index thin_parts = 0;       ///< further thin parts, whose thickness may differ in the result
   Index ambiguous_faces = 0;  ///< minimal faces with more than two hits
   Index invented_hits = 0;    ///< hits of no input face, where holes were closed
-  Index guessed_faces = 0;    ///< ambiguous faces that a trace of the input could not decide
+  /// With `minimum_thickness` and `minimum_gap`: area of the solid's surface that is thinner than
+  /// the one, and that bounds gaps narrower than the other, in square model units. Saved grids do
+  /// not keep them.
+  double thin_area = 0;
+  double narrow_area = 0;
+  Index guessed_faces = 0;  ///< ambiguous faces that a trace of the input could not decide
 };
 
 /// A kd-tree grid with its hits and links. Movable and copyable; a moved-from grid is empty.

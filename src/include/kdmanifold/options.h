@@ -219,6 +219,22 @@ void for_each_field(Options& options, Visit&& visit) {
         options.thicken);
   visit(OptionField{.name = "thicken_what", .help = "`thicken`: what gets a thickness"},
         options.thicken_what);
+  visit(OptionField{.name = "minimum_thickness",
+                    .letter = "T",
+                    .help = "leave out what of the solid is thinner than this",
+                    .zero = "nothing",
+                    .details = "Up to 0.6 times as much stays where it ends in something thicker, "
+                               "and edges of less than 54 degrees become blunt. Measured as "
+                               "exactly as the tolerance.",
+                    .unit = Unit::kModelUnits},
+        options.minimum_thickness);
+  visit(OptionField{.name = "minimum_gap",
+                    .letter = "T",
+                    .help = "fill gaps, holes and cavities that are narrower than this",
+                    .zero = "none",
+                    .details = "In the same way, after `minimum_thickness`.",
+                    .unit = Unit::kModelUnits},
+        options.minimum_gap);
 }
 
 /// See `for_each_field` of `BuildOptions`.

@@ -163,6 +163,15 @@ void for_each_field(const GridStats& stats, Visit&& visit) {
         stats.guessed_faces);
   visit(ReportField{"invented_hits", "Hits of no input face, where holes were closed"},
         stats.invented_hits);
+  visit(ReportField{"thin_area",
+                    "Area of the surface that is thinner than `minimum_thickness`, and gone",
+                    Unit::kModelArea},
+        stats.thin_area);
+  visit(ReportField{"narrow_area",
+                    "Area of the surface that bounds gaps narrower than `minimum_gap`, which are "
+                    "filled",
+                    Unit::kModelArea},
+        stats.narrow_area);
 }
 
 /// See `for_each_field` of `InputReport`.

@@ -6,6 +6,7 @@
 
 #include <string>
 
+#include "inside/winding_field.h"
 #include "prepare/surface.h"
 #include "support/random.h"
 #include "support/shapes.h"

@@ -184,6 +184,22 @@ const wrong = [
     ['a.obj', '--pairing', 'inside', '--inside', 'sheet'],
     '--pairing: only trace or hermite with --inside sheet',
   ],
+  [
+    ['a.obj', '--minimum-thickness', '1', '--strategy', 'uniform'],
+    '--minimum-thickness: only with --strategy adaptive, octree or feature',
+  ],
+  [
+    ['a.obj', '--minimumGap', '1', '--inside', 'odd'],
+    '--minimumGap: only with --inside repair or positive',
+  ],
+  [
+    ['a.obj', '--minimum-thickness', '100'],
+    'a.obj: all of the solid is thinner than --minimum-thickness',
+  ],
+  [
+    ['a.obj', '--union', 'b.obj', '--minimum-gap', '1'],
+    expect.stringMatching(/--minimum-gap: not for Boolean operations$/),
+  ],
   [['a.obj', '--thicken-what', 'sheets'], '--thicken-what: only with --thicken'],
   [
     ['a.obj', '--thicken', '1', '--thickenWhat', 'sheets', '--inside', 'odd'],

@@ -171,7 +171,8 @@ function inputLines(input: InputReport, operands: number, task: Task): string[] 
 // Says what had to be done to a surface that is not closed and consistently oriented.
 function repairLines({ input, grid, output }: NonNullable<CliReport['result']>): string[] {
   const { sewnEdges, turnedFaces, duplicateFaces } = input;
-  if (sewnEdges + turnedFaces + duplicateFaces + grid.inventedHits === 0) return [];
+  const cut = input.closed && grid.thinArea + grid.narrowArea > 0;
+  if (sewnEdges + turnedFaces + duplicateFaces === 0 && (cut || grid.inventedHits === 0)) return [];
   const share = output.area > 0 ? (100 * output.inventedArea) / output.area : 0;
   const lines = [
     `repair   ${sewnEdges} pairs of edges sewn, ${turnedFaces} faces turned, ` +

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// What says of any point whether it is inside, for surfaces that do not say so by themselves.
+#pragma once
+
+#include "geometry/lattice.h"
+
+namespace kdm {
+
+/// Tells inside from outside. Points are in lattice units.
+class PointField {
+ public:
+  virtual ~PointField() = default;
+
+  virtual bool inside(const Vec3& p) const = 0;
+  /// Tells whether a grid vertex is inside. The vertex is read as shifted by (e, e^2, e^3), e
+  /// infinitesimal (see geometry/predicates.h).
+  virtual bool inside(const LatticePoint& p) const = 0;
+  /// Returns a vector that points towards the inside where the field changes at a point.
+  virtual Vec3 gradient(const Vec3& p) const = 0;
+
+  /// Tells whether a point of the surface bounds what is inside wherever crossings say so, so that
+  /// the field need not be asked.
+  virtual bool follows_surface(const Vec3& p) const {
+    static_cast<void>(p);
+    return true;
+  }
+  /// Tells whether the field changes within the box where the surface does not, so that a leaf must
+  /// be smaller.
+  virtual bool must_split(const LatticeBox& box) const {
+    static_cast<void>(box);
+    return false;
+  }
+
+  /// Returns the winding number above which points are inside; 0 if none decides.
+  virtual double threshold() const { return 0; }
+  /// Returns how much was computed so far, in triangles summed up.
+  virtual std::size_t work() const = 0;
+};
+
+}  // namespace kdm
