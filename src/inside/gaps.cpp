@@ -2,6 +2,7 @@
 #include "inside/gaps.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <vector>
 
@@ -31,6 +32,28 @@ std::uint64_t line_of(const LatticePoint& p, int axis) {
          static_cast<std::uint64_t>(p[next_axis(axis)]) << 30 |
          static_cast<std::uint64_t>(p[previous_axis(axis)]);
 }
+
+// Tells at once of most lines that they have no gap: a gap's line marks one of some numbers.
+class LineFilter {
+ public:
+  explicit LineFilter(const std::vector<Gap>& gaps)
+      : bits_(static_cast<int>(std::bit_width(kNumbersPerGap * gaps.size()))),
+        marked_(std::size_t{1} << bits_) {
+    for (const Gap& gap : gaps) marked_.set(number_of(gap.line));
+  }
+  bool may_have_gap(std::uint64_t line) const { return marked_.test(number_of(line)); }
+
+ private:
+  static constexpr std::size_t kNumbersPerGap = 8;
+
+  std::size_t number_of(std::uint64_t line) const {
+    constexpr std::uint64_t kMix = 0x9e3779b97f4a7c15;  // odd, its bits look random
+    return static_cast<std::size_t>(line * kMix >> (64 - bits_));
+  }
+
+  int bits_;
+  Marks marked_;
+};
 
 // Returns the gaps in which a grid vertex may lie, sorted by their lines.
 std::vector<Gap> find_gaps(const GridData& grid, const std::vector<LatticeBox>& boxes,
@@ -122,8 +145,10 @@ Marks find_open_gaps(const GridData& grid, const std::vector<LatticeBox>& boxes,
   Marks open;
   const std::vector<Gap> gaps = find_gaps(grid, boxes, planned);
   if (gaps.empty()) return open;
+  const LineFilter filter(gaps);
   const auto open_at = [&](const LatticePoint& vertex, int axis) {
     const std::uint64_t line = line_of(vertex, axis);
+    if (!filter.may_have_gap(line)) return;
     auto gap = std::lower_bound(gaps.begin(), gaps.end(), line,
                                 [](const Gap& g, std::uint64_t l) { return g.line < l; });
     for (; gap != gaps.end() && gap->line == line; ++gap) {

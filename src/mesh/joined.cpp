@@ -9,7 +9,8 @@ namespace kdm {
 DisjointSets join_triangles(std::span<const SideId> opposite) {
   DisjointSets sets(opposite.size() / 3);
   for (SideId side = 0; side < opposite.size(); ++side) {
-    if (opposite[side] != kNone) sets.join(triangle_of(side), triangle_of(opposite[side]));
+    // Each pair of sides is looked at once; kNone is no lower one.
+    if (opposite[side] < side) sets.join(triangle_of(side), triangle_of(opposite[side]));
   }
   return sets;
 }

@@ -38,11 +38,14 @@ std::vector<std::vector<Index>> take_samples(const Polygons& faces, std::span<co
     std::array<double, 8> distances = {};
   };
   std::vector<Furthest> furthest(shells.size());
+  std::vector<Index> last_part(positions.size(), kNone);  // that was seen to have the vertex
   for (Index face = 0; face < faces.size(); ++face) {
     if (part_of[face] == kNone || !shells[part_of[face]].closed) continue;
     Furthest& found = furthest[part_of[face]];
     for (Index k = 0; k < faces.corners(face); ++k) {
       const Index v = faces[face][k];
+      if (last_part[v] == part_of[face]) continue;
+      last_part[v] = part_of[face];
       const Vec3& p = positions[v];
       for (std::size_t i = 0; i < 8; ++i) {
         const double distance = ((i & 1) != 0 ? p.x() : -p.x()) + ((i & 2) != 0 ? p.y() : -p.y()) +
@@ -134,18 +137,28 @@ struct Verdict {
   bool on = false;  // the point is on the part
 };
 
+// Tells whether the triangle lies beside or above all rays from points within the bounds.
+bool misses_rays(const Corners& t, const Box& bounds) {
+  for (const int axis : {1, 2}) {
+    const auto [low, high] = std::minmax({t[0][axis], t[1][axis], t[2][axis]});
+    if (low > bounds.max[axis] || high < bounds.min[axis]) return true;
+  }
+  return std::min({t[0].x(), t[1].x(), t[2].x()}) > bounds.max.x();
+}
+
 // Finds where points lie in relation to one part, whose triangles `triangles(ask)` passes to `ask`
 // one by one. The points are given as boxes. Adds the work to `tests`; when that is too much, the
 // rest of the triangles is left out.
 template <typename Triangles>
 std::vector<Verdict> judge(const std::vector<Box>& points, const Triangles& triangles,
                            std::uint64_t& tests) {
-  double highest = points[0].max.x();
-  for (const Box& point : points) highest = std::max(highest, point.max.x());
+  Box bounds = points[0];
+  for (const Box& point : points) grow(bounds, point);
+  const double highest = bounds.max.x();
   const BoxTree tree(points);
   std::vector<Verdict> verdicts(points.size());
   triangles([&](const Corners& t) {
-    if (tests > kMostTests) return;
+    if (tests > kMostTests || misses_rays(t, bounds)) return;
     Box above = box_of(t[0], t[1], t[2]);
     above.max.x() = std::max(above.max.x(), highest);
     tree.for_each_meeting(above, [&](Index i) {

@@ -21,9 +21,15 @@ int exponent_of(double largest) {
 std::vector<Vec3> scaled(const std::vector<Vec3>& positions, int exponent) {
   std::vector<Vec3> result;
   result.reserve(positions.size());
+  const double factor = std::ldexp(1.0, exponent);
+  const bool one_factor = std::isnormal(factor);  // not for extremely large or small positions
   for (const Vec3& p : positions) {
-    result.emplace_back(std::ldexp(p[0], exponent), std::ldexp(p[1], exponent),
-                        std::ldexp(p[2], exponent));
+    if (one_factor) {
+      result.emplace_back(p * factor);
+    } else {
+      result.emplace_back(std::ldexp(p[0], exponent), std::ldexp(p[1], exponent),
+                          std::ldexp(p[2], exponent));
+    }
   }
   return result;
 }

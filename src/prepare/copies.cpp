@@ -23,6 +23,7 @@ Marks find_copies(std::span<const Triangle> triangles, Index points, const Topol
       if (&c != &group[0]) further.set(c.triangle);
     }
   });
+  if (!further.any()) return further;
   DisjointSets parts(triangles.size());
   EdgeSides(triangles, points).for_each_edge([&](PointId, std::span<const EdgeSide> edge) {
     for (const EdgeSide& s : edge) parts.join(triangle_of(edge[0].side), triangle_of(s.side));
