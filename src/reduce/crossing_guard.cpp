@@ -2,6 +2,8 @@
 // Finds what is near in a tree of boxes and decides by exact predicates.
 #include "reduce/crossing_guard.h"
 
+#include <algorithm>
+
 #include "geometry/triangle.h"
 #include "geometry/triangle_triangle.h"
 
@@ -138,7 +140,7 @@ bool CrossingGuard::is_simple(const CollapseRing& ring, VertexId v) {
   };
   mesh_.for_each_leaving(v, [&](SideId h) {
     const TriangleId t = triangle_of(h);
-    if (t == ring.gone.front() || t == ring.gone.back()) return;
+    if (std::find(ring.gone.begin(), ring.gone.end(), t) != ring.gone.end()) return;
     sides_.emplace_back(point(mesh_.end(h)) - apex, point(mesh_.start(previous_side(h))) - apex);
   });
   return is_simple_fan(sides_);
@@ -154,7 +156,7 @@ bool CrossingGuard::would_meet(const CollapseRing& ring) {
   for (const RingTriangle& t : ring.triangles) {
     if (is_simple(ring, t.from)) simple_.set(t.from);
   }
-  const bool meet = planned_meet(is_simple(ring), ring.gone.front());
+  const bool meet = planned_meet(is_simple(ring), ring.triangles.front().number);
   for (const RingTriangle& t : ring.triangles) {
     replaced_.clear(t.number);
     simple_.clear(t.from);

@@ -8,6 +8,7 @@
 #include "reduce/near_test.h"
 #include "reduce/shape.h"
 #include "reduce/smooth_test.h"
+#include "reduce/vertex_moves.h"
 
 namespace kdm {
 namespace {
@@ -21,13 +22,19 @@ class Flipper {
   Index flip_all() {
     const SideId sides = 3 * piece_.mesh.triangles();
     Index flips = 0;
+    Index moves = 0;
     for (int round = 0; round < kMostRounds; ++round) {
-      const Index before = flips;
+      const Index before = flips + moves;
       for (SideId h = 0; h < sides; ++h) {
         if (piece_.mesh.is_removed(triangle_of(h)) || piece_.mesh.edge(h) != h) continue;
-        if (smooth_.is_false_crease(h) && flip_here(h)) ++flips;
+        if (!smooth_.is_false_crease(h)) continue;
+        if (flip_here(h)) {
+          ++flips;
+        } else if (move_here(h)) {
+          ++moves;
+        }
       }
-      if (flips == before) break;
+      if (flips + moves == before) break;
     }
     return flips;
   }
@@ -41,6 +48,16 @@ class Flipper {
       if (piece_.mesh.opposite(side) != kNone && !piece_.is_border(side) && try_flip(side)) {
         return true;
       }
+    }
+    return false;
+  }
+
+  // Moves one of the four vertices of its triangles, if that helps.
+  bool move_here(SideId h) {
+    if (turns_in_reference(piece_, h)) return false;
+    const SideId back = piece_.mesh.opposite(h);
+    for (const SideId side : {h, back, previous_side(h), previous_side(back)}) {
+      if (move_to_smooth(piece_, smooth_, piece_.mesh.start(side))) return true;
     }
     return false;
   }
@@ -88,6 +105,17 @@ class Flipper {
 };
 
 }  // namespace
+
+void find_crossing_creases(Workpiece& piece) {
+  SmoothTest smooth(piece, piece.distance->creases);
+  std::vector<std::array<Vec3, 2>> segments;
+  for (SideId h = 0; h < 3 * piece.mesh.triangles(); ++h) {
+    if (piece.mesh.edge(h) != h || !smooth.is_false_crease(h)) continue;
+    if (!turns_in_reference(piece, h)) continue;
+    segments.push_back({piece.positions[piece.mesh.start(h)], piece.positions[piece.mesh.end(h)]});
+  }
+  piece.distance->creases.add(segments);
+}
 
 Index flip_false_creases(Workpiece& piece) { return Flipper(piece).flip_all(); }
 

@@ -34,7 +34,10 @@ PassLevel level_of(const Workpiece& piece) {
 
 Pass run_pass(Workpiece& piece, const std::vector<Index>& targets, const Progress& progress) {
   Pass out;
-  if (piece.distance) out.flips += flip_false_creases(piece);
+  if (piece.distance) {
+    find_crossing_creases(piece);
+    out.flips += flip_false_creases(piece);
+  }
   Collapser collapser(piece);
   const Index at_first = piece.mesh.living_triangles();
   // What is left to do is known where a number of triangles is asked for.

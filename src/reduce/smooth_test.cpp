@@ -21,7 +21,8 @@ Vec3 SmoothTest::normal_of(TriangleId t) const {
   return unit_normal(piece_.positions[c[0]], piece_.positions[c[1]], piece_.positions[c[2]]);
 }
 
-bool SmoothTest::stays_smooth(const CollapseRing& ring) {
+// Finds what turns by more than 30 degrees in the ring, now and then.
+void SmoothTest::find_turns(const CollapseRing& ring) {
   normals_before_.clear();
   normals_after_.clear();
   before_.clear();
@@ -45,15 +46,40 @@ bool SmoothTest::stays_smooth(const CollapseRing& ring) {
       look(after_, normal.dot(normals_after_[i]), t.from_point, t.to_point);
     }
     for (std::size_t j = 0; j < ring.triangles.size(); ++j) {
-      if (ring.triangles[j].from != t.to) continue;
-      look(before_, normals_before_[i].dot(normals_before_[j]), t.old_point, t.to_point);
+      const RingTriangle& next = ring.triangles[j];
+      if (next.from != t.to) continue;
       look(after_, normals_after_[i].dot(normals_after_[j]), ring.point, t.to_point);
+      if (t.old_point == next.old_point) {
+        look(before_, normals_before_[i].dot(normals_before_[j]), t.old_point, t.to_point);
+        continue;
+      }
+      // At two ends of the edge, with one of the triangles beside it in between.
+      for (const TriangleId gone : ring.gone) {
+        const Triangle c = piece_.mesh.corners(gone);
+        if (std::find(c.begin(), c.end(), t.to) == c.end()) continue;
+        const Vec3 normal = normal_of(gone);
+        look(before_, normals_before_[i].dot(normal), t.old_point, t.to_point);
+        look(before_, normal.dot(normals_before_[j]), next.old_point, t.to_point);
+      }
     }
   }
+}
+
+std::ptrdiff_t SmoothTest::false_creases(const std::vector<Turn>& turns) const {
+  return std::count_if(turns.begin(), turns.end(),
+                       [&](const Turn& turn) { return !creases_.are_near(turn.middle); });
+}
+
+bool SmoothTest::stays_smooth(const CollapseRing& ring) {
+  find_turns(ring);
   if (after_.empty()) return true;
-  const auto is_false = [&](const Turn& turn) { return !creases_.are_near(turn.middle); };
-  const auto after = std::count_if(after_.begin(), after_.end(), is_false);
-  return after == 0 || after < std::count_if(before_.begin(), before_.end(), is_false);
+  const std::ptrdiff_t after = false_creases(after_);
+  return after == 0 || after < false_creases(before_);
+}
+
+bool SmoothTest::smooths(const CollapseRing& ring) {
+  find_turns(ring);
+  return false_creases(after_) < false_creases(before_);
 }
 
 bool SmoothTest::is_false_crease(SideId h) {

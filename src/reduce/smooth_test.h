@@ -18,6 +18,8 @@ class SmoothTest {
 
   /// Tells whether no edge of the ring would be a false crease, or fewer than now.
   bool stays_smooth(const CollapseRing& ring);
+  /// Tells whether fewer edges of the ring would be false creases than now.
+  bool smooths(const CollapseRing& ring);
 
   /// Tells whether the two triangles beside the edge turn by more than 30 degrees against each
   /// other where no edge of the reference turns by more than 15.
@@ -34,6 +36,8 @@ class SmoothTest {
   };
 
   Vec3 normal_of(TriangleId t) const;
+  void find_turns(const CollapseRing& ring);
+  std::ptrdiff_t false_creases(const std::vector<Turn>& turns) const;
 
   const Workpiece& piece_;
   const TrueCreases& creases_;

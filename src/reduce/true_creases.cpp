@@ -50,12 +50,11 @@ bool turn(std::span<const EdgeSide> sides, const std::vector<Vec3>& normals) {
 
 }  // namespace
 
-TrueCreases::TrueCreases(const Reference& reference, double reach) {
-  Box box;
+TrueCreases::TrueCreases(const Reference& reference, double reach) : width_(2 * reach) {
   for (TriangleId t = 0; t < reference.size(); ++t) {
-    for (const Vec3& p : reference.corners(t)) grow(box, p);
+    for (const Vec3& p : reference.corners(t)) grow(box_, p);
   }
-  cells_ = CellBits(box, 2 * reach);
+  cells_ = CellBits(box_, width_);
   const Joined joined = join(reference);
   EdgeSides(joined.triangles, joined.points)
       .for_each_edge([&](PointId, std::span<const EdgeSide> sides) {
@@ -65,6 +64,17 @@ TrueCreases::TrueCreases(const Reference& reference, double reach) {
         cells_.mark(c[corner_of(side)], c[next_corner(corner_of(side))]);
       });
   cells_.grow();
+}
+
+void TrueCreases::add(const std::vector<std::array<Vec3, 2>>& segments) {
+  if (segments.empty()) return;
+  added_ = CellBits(box_, width_);
+  for (const auto& [from, to] : segments) {
+    // The mesh may stick out of the reference's box a little.
+    added_.mark(from.cwiseMax(box_.min).cwiseMin(box_.max),
+                to.cwiseMax(box_.min).cwiseMin(box_.max));
+  }
+  added_.grow();
 }
 
 }  // namespace kdm

@@ -17,10 +17,16 @@ class TrueCreases {
   /// Points within `reach` of a crease are near to it, and some up to seven times as far.
   TrueCreases(const Reference& reference, double reach);
 
-  bool are_near(const Vec3& p) const { return cells_.test(p); }
+  /// Adds segments at which the surface has creases too: where its parts pass through each other.
+  void add(const std::vector<std::array<Vec3, 2>>& segments);
+
+  bool are_near(const Vec3& p) const { return cells_.test(p) || added_.test(p); }
 
  private:
+  Box box_;
+  double width_;
   CellBits cells_;
+  CellBits added_;
 };
 
 }  // namespace kdm

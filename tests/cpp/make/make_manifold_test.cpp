@@ -136,7 +136,7 @@ TEST(MakeManifold, RefusesToReduceBesideWhatExcludesIt) {
 
 TEST(MakeManifold, MakesSeveralLevels) {
   MakeOptions options = within(0.2);
-  options.reduction.target_triangles = {400, 300, 220};
+  options.reduction.target_triangles = {400, 320, 260};
   const MadeManifold made = make_manifold(ring(), options);
   ASSERT_EQ(made.levels.size(), 3u);
   for (std::size_t i = 0; i < 3; ++i) {
