@@ -53,6 +53,10 @@ async function rowsOf(file, folder) {
     for (const [name, reduce] of Object.entries(reducers)) {
       const runs = [];
       for (let i = 0; i < repeat; ++i) runs.push(await reduce(fine, target));
+      if (runs[0] === undefined) {
+        rows.push({ model: nameOf(file), from: all, to: 'not reached', by: name });
+        continue;
+      }
       const { mesh } = runs[0];
       const judged = measure(tools, write('few.ply', mesh), reference);
       const { max, rms } = twoSided(judged);

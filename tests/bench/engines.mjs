@@ -116,7 +116,10 @@ export const reducers = {
     return { mesh: { positions: mesh.positions, indices }, seconds };
   },
 
-  /** Goes by a tolerance, so the largest number of triangles below what is wanted is searched; one run counts. */
+  /**
+   * Goes by a tolerance, so the largest number of triangles below what is wanted is searched; one run counts. Undefined:
+   * no tolerance gives so few.
+   */
   async 'manifold-3d'(mesh, triangles) {
     const { Manifold, Mesh } = await manifoldModule();
     const whole = new Manifold(
