@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 
 #include "geometry/triangle.h"
 #include "mesh/boxes.h"
@@ -177,6 +179,9 @@ void Collapser::make_ring(SideId edge, const Vec3& point) {
 bool Collapser::keeps_shape() const {
   double worst = 1;
   double worst_before = 1;
+  const double least_height = piece_.distance ? std::min(piece_.distance->limits[ring_.kept],
+                                                         piece_.distance->limits[ring_.removed])
+                                              : std::numeric_limits<double>::infinity();
   for (const RingTriangle& t : ring_.triangles) {
     const Vec3 before = doubled_area_vector(t.old_point, t.from_point, t.to_point);
     const Vec3 after = doubled_area_vector(ring_.point, t.from_point, t.to_point);
@@ -188,7 +193,10 @@ bool Collapser::keeps_shape() const {
     if (shape_before >= kLeastShape && before.dot(after) < kLeastCosine * size_before * size) {
       return false;
     }
-    worst = std::min(worst, shape);
+    // The sides of a thin plate are long and low: what is higher than the distance kept is no
+    // sliver.
+    const double height = size > 0 ? std::sqrt(size * shape) : 0;
+    if (height < least_height) worst = std::min(worst, shape);
     worst_before = std::min(worst_before, shape_before);
   }
   return worst >= kLeastShape || worst >= worst_before;

@@ -157,6 +157,19 @@ TEST(Reduce, LeavesThinWallsApart) {
   EXPECT_EQ(find_self_intersections(few).pairs, 0u);
 }
 
+// Its sides are slivers whatever one does, unless one cuts them up.
+TEST(Reduce, FindsTheFewestTrianglesOfThinPlates) {
+  Mesh plate = shapes::scaled(shapes::cube(), {1, 0.6, 0.002});
+  for (int i = 0; i < 4; ++i) plate = shapes::subdivided(plate);
+  const Mesh turned = shapes::turned(plate);
+  for (const Mesh& mesh : {plate, turned}) {
+    const ReducedMesh few = reduce(mesh, mesh, {.error = 0.001});
+    EXPECT_TRUE(check::is_two_manifold(few));
+    EXPECT_EQ(few.triangles.size(), 12u);
+    EXPECT_NEAR(describe(few).volume, 0.0012, 1e-6);
+  }
+}
+
 TEST(Reduce, CarriesSourceFacesOver) {
   const Mesh input = shapes::rotated(shapes::cube(), Vec3(0.6, 0, 0.8), 0.7);
   const ReducedMesh few = reduce(built(input, 1e-4), input, {.error = 1e-3});
