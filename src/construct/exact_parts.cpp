@@ -272,7 +272,7 @@ void take_out(const Marks& marked, Surface& surface) {
 
 ExactParts take_exact_parts(Surface& surface, SolidStates& states, const BuildOptions& options) {
   ExactParts result;
-  if (surface.has_rims() || !goes_by_tolerance(options.strategy)) return result;
+  if (surface.has_rims() || !goes_by_tolerance(options)) return result;
   const double tolerance = tolerance_of(options, surface.extent);
   const std::optional<Bodies> bodies = find_thin_bodies(surface, tolerance);
   if (!bodies) return result;

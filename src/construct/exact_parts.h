@@ -32,7 +32,7 @@ struct ExactParts {
 /// - its triangles have areas and meet no others, with coordinates rounded to 32 bits,
 /// - parts that stay lie further from it than two tolerances, and not within it.
 ///
-/// Takes nothing out of surfaces with rims, nor where the strategy of the options goes by depth.
+/// Takes nothing out of surfaces with rims, nor where the options go by depth or cells.
 /// `states` are those of the surface's solids, or of the one solid that it is. Without thin parts
 /// this takes one pass over the triangles.
 ExactParts take_exact_parts(Surface& surface, SolidStates& states, const BuildOptions& options);

@@ -21,6 +21,7 @@ constexpr double kUsualTolerance = BuildOptions().relative_tolerance;
 // Returns the depth that no cell goes beyond.
 int depth_limit(const BuildOptions& options) {
   constexpr int kUniformDepth = 18;
+  if (options.cells != 0) return 3 * halvings_for(options.cells);
   if (options.depth != 0) return options.depth;
   return options.strategy == SplitStrategy::kUniform ? kUniformDepth : kMaxDepth;
 }
@@ -28,7 +29,7 @@ int depth_limit(const BuildOptions& options) {
 }  // namespace
 
 double lattice_tolerance(const Surface& surface, const BuildOptions& options) {
-  return tolerance_of(options, surface.extent) / surface.lattice.step;
+  return options.cells > 0 ? 0 : tolerance_of(options, surface.extent) / surface.lattice.step;
 }
 
 std::unique_ptr<GridData> grid_of_surface(const Surface& surface, InsideModel& model,

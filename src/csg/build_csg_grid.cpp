@@ -131,7 +131,7 @@ SolidsGrid build_csg_grid_within(const std::vector<Operand>& operands, const Exp
     solids.push_back({prepare_faces(box_mesh(bounds), {.inside = InsideRule::kPositive}),
                       InsideRule::kPositive, kNone});
   }
-  JoinedSolids joined = join_solids(solids);
+  JoinedSolids joined = join_solids(solids, options);
   for (Index& solid : solid_of_operand) {
     if (solid != kNone) solid = joined.solid_of_given[solid];
   }

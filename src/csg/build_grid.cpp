@@ -46,7 +46,7 @@ Grid build_grid_within(const Mesh& mesh, const BuildOptions& options, double sha
   const bool thickens_all = options.thicken > 0 && options.thicken_what == ThickenWhat::kAll;
   InputFaces faces = prepare_faces(thickens_all ? thicken(mesh, options.thicken) : mesh, options);
   double threshold = 0;
-  if (faces.repair && options.winding_threshold == 0 && goes_by_tolerance(options.strategy) &&
+  if (faces.repair && options.winding_threshold == 0 && goes_by_tolerance(options) &&
       some_part_is_closed(faces)) {
     threshold = solidify_open_parts(faces, options, part_of_progress(progress, 0, 0.1));
   }

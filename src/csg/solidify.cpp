@@ -172,7 +172,8 @@ double solidify_open_parts(InputFaces& faces, const BuildOptions& options,
   const bool all = open.part_of.size() == faces.triangles.size();
   BuildOptions own = options;
   own.minimum_thickness = own.minimum_gap = 0;
-  if (!goes_by_tolerance(options.strategy)) own.strategy = SplitStrategy::kAdaptive;
+  if (!goes_by_tolerance(options)) own.strategy = SplitStrategy::kAdaptive;
+  own.cells = 0;
   own.tolerance = (all ? kShareOfAll : kShareOfSome) * tolerance_of(options, faces.report.extent);
   own.relative_tolerance = BuildOptions().relative_tolerance;  // which does not count
   const Built built =

@@ -89,6 +89,16 @@ struct Lattice {
   }
 };
 
+/// Tells whether the box, in model units, keeps at least half of `kLatticeMargin` from the sides of
+/// the root cell.
+inline bool is_within_margins(const Lattice& lattice, const Box& bounds) {
+  constexpr double kLow = 0.5 * kLatticeMargin;
+  constexpr double kHigh = kLatticeSize - kLow;
+  const bool outside = lattice.to_lattice(bounds.min).minCoeff() < kLow ||
+                       lattice.to_lattice(bounds.max).maxCoeff() > kHigh;
+  return !outside;
+}
+
 /// Returns the lattice that puts the box `bounds`, in model units, in the middle of the root cell
 /// and leaves `kLatticeMargin` at the ends of its longest axis. A box without extent gets a step of
 /// one model unit. If coordinates are so far from zero that rounding the origin would use up the
@@ -102,11 +112,37 @@ inline Lattice lattice_over(const Box& bounds) {
   const Vec3 centre = bounds.min + 0.5 * (bounds.max - bounds.min);
   for (;;) {
     lattice.origin = centre - Vec3::Constant(lattice.step * (kLatticeSize / 2));
-    constexpr double kLow = 0.5 * kLatticeMargin;
-    constexpr double kHigh = kLatticeSize - kLow;
-    const bool outside = lattice.to_lattice(bounds.min).minCoeff() < kLow ||
-                         lattice.to_lattice(bounds.max).maxCoeff() > kHigh;
-    if (!outside) return lattice;
+    if (is_within_margins(lattice, bounds)) return lattice;
+    lattice.step *= 2;
+  }
+}
+
+/// Returns how often the root cell is halved across each axis, to cells of which a box takes so
+/// many along its longest side and leaves `kLatticeMargin` at both ends. Of half a million cells,
+/// which is the most that is asked for, each is two lattice units wide.
+inline int halvings_for(int cells) {
+  for (int halvings = 1;; ++halvings) {
+    const int beside = ((1 << halvings) - cells) / 2;
+    if (beside > 0 && beside * (kLatticeSize >> halvings) >= kLatticeMargin) return halvings;
+  }
+}
+
+/// Returns the lattice in which the box `bounds`, in model units, takes just so many cells along
+/// its longest side once the root cell is halved `halvings_for(cells)` times across each axis. The
+/// box begins where cells do; its sides lie a lattice unit off their planes, for the reason why
+/// `kLatticeMargin` is odd. A box without extent gets a step of one model unit. If coordinates are
+/// so far from zero that rounding the origin would use up the margin, the step is larger.
+inline Lattice lattice_of_cells(const Box& bounds, int cells) {
+  const double extent = (bounds.max - bounds.min).maxCoeff();
+  const int halvings = halvings_for(cells);
+  const std::int32_t width = kLatticeSize >> halvings;
+  const std::int32_t low = ((1 << halvings) - cells) / 2 * width + 1;
+  Lattice lattice;
+  lattice.step = extent > 0 ? extent / (cells * width - 2) : 1.0;
+  lattice.step = std::max(lattice.step, std::numeric_limits<double>::min());
+  for (;;) {
+    lattice.origin = bounds.min - Vec3::Constant(lattice.step * low);
+    if (is_within_margins(lattice, bounds)) return lattice;
     lattice.step *= 2;
   }
 }

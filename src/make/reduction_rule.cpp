@@ -19,6 +19,7 @@ const char* obstacle_in(const ExtractOptions& extract) {
 const char* obstacle_in(const BuildOptions& build) {
   if (build.strategy == SplitStrategy::kMedian) return "`strategy` median";
   if (build.strategy == SplitStrategy::kUniform) return "`strategy` uniform";
+  if (build.cells > 0) return "`cells`";
   if (build.tolerance == 0 && build.relative_tolerance == 0) return "`relative_tolerance` 0";
   return nullptr;
 }

@@ -85,7 +85,14 @@ void check_combination(const BuildOptions& options, const IsGiven& given) {
   const char* const by_repair = "only with `inside` repair";
   const bool solid = repair || options.inside == InsideRule::kPositive;
   const char* const by_solid = "only with `inside` repair or positive";
-  demand({{"relative_tolerance", options.tolerance == 0, "not together with `tolerance`"},
+  const bool regular =
+      options.strategy == SplitStrategy::kUniform || options.strategy == SplitStrategy::kOctree;
+  const char* const instead_of_cells = "not together with `cells`";
+  demand({{"cells", regular, "only with `strategy` octree or uniform"},
+          {"depth", options.cells == 0, instead_of_cells},
+          {"tolerance", options.cells == 0, instead_of_cells},
+          {"relative_tolerance", options.cells == 0, instead_of_cells},
+          {"relative_tolerance", options.tolerance == 0, "not together with `tolerance`"},
           {"tolerance", !counts, by_tolerance},
           {"relative_tolerance", !counts, by_tolerance},
           {"winding_threshold", repair, by_repair},
@@ -116,6 +123,8 @@ void check_options(const BuildOptions& options) {
   check_fields(options);
   const BuildOptions standard;
   check_combination(options, [&](std::string_view name) {
+    if (name == "cells") return options.cells != standard.cells;
+    if (name == "depth") return options.depth != standard.depth;
     if (name == "tolerance") return options.tolerance != standard.tolerance;
     if (name == "relative_tolerance") {
       return options.relative_tolerance != standard.relative_tolerance;

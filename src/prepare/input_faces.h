@@ -16,8 +16,9 @@ inline double tolerance_of(const BuildOptions& options, double extent) {
 }
 
 /// Returns whether cells are split until the result is within the tolerance.
-inline bool goes_by_tolerance(SplitStrategy strategy) {
-  return strategy != SplitStrategy::kUniform && strategy != SplitStrategy::kMedian;
+inline bool goes_by_tolerance(const BuildOptions& options) {
+  return options.strategy != SplitStrategy::kUniform &&
+         options.strategy != SplitStrategy::kMedian && options.cells == 0;
 }
 
 /// Checks the mesh and turns it into welded triangles. Of the options, the inside rule, the

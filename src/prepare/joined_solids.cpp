@@ -83,7 +83,7 @@ void append_solid(const Surface& solid, Index number, Index first_point, Surface
 
 }  // namespace
 
-JoinedSolids join_solids(std::vector<SolidFaces>& given) {
+JoinedSolids join_solids(std::vector<SolidFaces>& given, const BuildOptions& options) {
   const auto before = [&](Index a, Index b) { return compare(given[a], given[b]) < 0; };
   const std::vector<Index> order = in_order(given.size(), Order(before));
   JoinedSolids joined;
@@ -103,7 +103,7 @@ JoinedSolids join_solids(std::vector<SolidFaces>& given) {
     grow(bounds, given[i].faces.bounds.min);
     grow(bounds, given[i].faces.bounds.max);
   }
-  all.lattice = lattice_over(bounds);
+  all.lattice = lattice_for(bounds, options);
   all.extent = extent_of(faces, bounds);
   std::vector<InputReport> reports(first_of_solid.size());
   Index points = 0;

@@ -27,9 +27,9 @@ struct JoinedSolids {
 
 /// Joins solids. Those with the same points, triangles and rule count once, and the others are
 /// numbered by what they are like, so that the surface does not depend on the order in which they
-/// are given. The reports in `given` are completed. Takes time linear in the faces, but for
-/// comparing solids with each other.
-JoinedSolids join_solids(std::vector<SolidFaces>& given);
+/// are given. They are rounded to the lattice that the options ask for. The reports in `given` are
+/// completed. Takes time linear in the faces, but for comparing solids with each other.
+JoinedSolids join_solids(std::vector<SolidFaces>& given, const BuildOptions& options);
 
 /// Returns what reports say together: sums, and what holds for all of them.
 InputReport sum_of(std::span<const InputReport> reports);

@@ -105,7 +105,7 @@ void find_planes(const InputFaces& faces, const std::vector<Vec3>& exact, Surfac
 }  // namespace
 
 Surface prepare_surface(InputFaces faces, const BuildOptions& options) {
-  const Lattice lattice = lattice_over(faces.bounds);
+  const Lattice lattice = lattice_for(faces.bounds, options);
   return surface_of(std::move(faces), lattice, options.inside == InsideRule::kSheet);
 }
 

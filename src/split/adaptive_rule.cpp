@@ -36,6 +36,8 @@ constexpr std::size_t kFineSplits = 200000;
 constexpr std::size_t kFineSplitsPerTriangle = 16;
 // Above this many triangles a cell is split on a clear misfit even where shells may hide others.
 constexpr std::size_t kManyTriangles = 64;
+// For a rule that goes by a tolerance: cells at no depth are small enough by that alone.
+constexpr int kNoLastDepth = -1;
 // So many centres of unresolved leaves are kept; an even number.
 constexpr std::size_t kMostPositions = 1000;
 
@@ -71,6 +73,7 @@ class AdaptiveRule : public SplitRule {
         counts_states_(model.is_inside(0).has_value()),
         open_surface_(has_open_sides(surface)),
         tolerance_(std::max(tolerance, kFinestTolerance)),
+        last_depth_(tolerance > 0 ? kNoLastDepth : max_depth),
         position_(position),
         parts_(surface),
         surface_in_cell_(surface),
@@ -100,8 +103,9 @@ class AdaptiveRule : public SplitRule {
     CellCrossings& crossings = surface_in_cell_.crossings;
     crossings.collect(cell);
     fit_.plan_hits(cell.box, crossings);
-    // Whatever lies in a cell smaller than the tolerance is met.
-    const bool small = diagonal(cell.box) <= tolerance_;
+    // Whatever lies in a cell smaller than the tolerance is met. Where no tolerance is asked for,
+    // cells at the greatest depth are as small as was asked for.
+    const bool small = diagonal(cell.box) <= tolerance_ || cell.depth == last_depth_;
     const bool topology_first = find_small_parts(cell);
     if (!small && !topology_first && is_clear_misfit(cell)) return split_for_fit(cell);
     surface_in_cell_.find_pieces(cell.box, cell.entries);
@@ -243,6 +247,7 @@ class AdaptiveRule : public SplitRule {
   bool counts_states_;
   bool open_surface_;
   double tolerance_;
+  int last_depth_;  // of cells whose surface need not be met within the tolerance
   CutPosition position_;
   PartCuts parts_;
   CellSurface surface_in_cell_;

@@ -99,8 +99,9 @@ std::unique_ptr<SplitRule> make_split_rule(const Surface& surface, InsideModel& 
                                            int depth);
 
 /// Makes the adaptive rule. It splits cells until the surface in each is met within `tolerance`
-/// (lattice units) and keeps its topology, but no cells at depth `depth`. The rule keeps references
-/// to the surface and to the model.
+/// (lattice units) and keeps its topology, but no cells at depth `depth`. With a tolerance of 0, of
+/// the cells at this depth only those count as unresolved that do not keep the topology. The rule
+/// keeps references to the surface and to the model.
 std::unique_ptr<SplitRule> make_adaptive_rule(const Surface& surface, InsideModel& model,
                                               double tolerance, int depth, CutPosition position);
 

@@ -85,6 +85,13 @@ test('depth limits the tree', () => {
   grid.delete();
 });
 
+// One vertex for each cell of 10 x 10 x 10 that is not amid the others.
+test('cells give any resolution', () => {
+  const options = { strategy: 'uniform', cells: 10 };
+  const mesh = convert(cube(4), options, { strict: 'off' });
+  expect(mesh.positions).toHaveLength(3 * (10 ** 3 - 8 ** 3));
+});
+
 test('a smaller tolerance gives more triangles, absolute or relative', () => {
   const count = (options) => convert(torus(64, 32), options).indices.length;
   expect(count({ relativeTolerance: 0.0005 })).toBeGreaterThan(count({ relativeTolerance: 0.02 }));

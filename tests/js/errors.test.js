@@ -218,6 +218,30 @@ const table = [
     /^tolerance: only with `strategy` adaptive, octree or feature$/,
   ],
   [
+    'cells of no regular grid',
+    build(cube(), { cells: 80 }),
+    'INVALID_OPTION',
+    /^cells: only with `strategy` octree or uniform$/,
+  ],
+  [
+    'cells beside a depth',
+    build(cube(), { strategy: 'octree', depth: 9, cells: 80 }),
+    'INVALID_OPTION',
+    /^depth: not together with `cells`$/,
+  ],
+  [
+    'cells beside a tolerance',
+    build(cube(), { strategy: 'octree', tolerance: 1, cells: 80 }),
+    'INVALID_OPTION',
+    /^tolerance: not together with `cells`$/,
+  ],
+  [
+    'no cells',
+    build(cube(), { strategy: 'octree', cells: 0 }),
+    'INVALID_OPTION',
+    /cells.*1 to 500000.*0/,
+  ],
+  [
     'a threshold for closed input',
     build(cube(), { inside: 'odd', windingThreshold: 0.3 }),
     'INVALID_OPTION',

@@ -134,6 +134,7 @@ test.each([
   [{ reduce: true, quads: true }, 'reduce: not together with `quads`'],
   [{ targetTriangles: 9, quads: true }, 'targetTriangles: not together with `quads`'],
   [{ reduce: true, strict: 'off' }, 'reduce: not together with `strict` off'],
+  [{ reduce: true, strategy: 'octree', cells: 9 }, 'reduce: not together with `cells`'],
   [{ reduce: true, strategy: 'uniform' }, 'reduce: not together with `strategy` uniform'],
   [
     { targetTriangles: [9], strategy: 'median' },

@@ -17,9 +17,19 @@ const counts = ({ strategy }: BuildOptions): boolean =>
 const noRepair = ({ inside = 'repair' }: BuildOptions): boolean => inside !== 'repair';
 const noSolid = ({ inside = 'repair' }: BuildOptions): boolean =>
   inside !== 'repair' && inside !== 'positive';
+const hasCells = ({ cells = 0 }: BuildOptions): boolean => cells > 0;
+const insteadOfCells = 'not together with `cells`';
 const byTolerance = 'only with `strategy` adaptive, octree or feature';
 
 const buildRules: Rule<BuildOptions>[] = [
+  [
+    'cells',
+    ({ strategy }) => strategy !== 'octree' && strategy !== 'uniform',
+    'only with `strategy` octree or uniform',
+  ],
+  ['depth', hasCells, insteadOfCells],
+  ['tolerance', hasCells, insteadOfCells],
+  ['relativeTolerance', hasCells, insteadOfCells],
   ['relativeTolerance', ({ tolerance = 0 }) => tolerance > 0, 'not together with `tolerance`'],
   ['tolerance', counts, byTolerance],
   ['relativeTolerance', counts, byTolerance],
@@ -96,10 +106,11 @@ export const uselessOfExtract = (
 
 // What excludes reduction, as src/make/reduction_rule.cpp finds it.
 function obstacle(build: BuildOptions, extract: ExtractOptions): string | undefined {
-  const { strategy, tolerance = 0, relativeTolerance } = build;
+  const { strategy, tolerance = 0, relativeTolerance, cells = 0 } = build;
   if (extract.quads) return '`quads`';
   if (extract.strict === 'off') return '`strict` off';
   if (strategy === 'median' || strategy === 'uniform') return `\`strategy\` ${strategy}`;
+  if (cells > 0) return '`cells`';
   return tolerance === 0 && relativeTolerance === 0 ? '`relativeTolerance` 0' : undefined;
 }
 

@@ -32,6 +32,11 @@ export interface BuildOptions {
    */
   depth?: number;
   /**
+   * Resolution of `uniform` and `octree`: cells along the longest side, from 1 to 500000. Not
+   * together with `depth` and the tolerances. Left out: what the depth and the tolerance say.
+   */
+  cells?: number;
+  /**
    * Which winding numbers are inside:
    * - `repair` (default): `positive` if the surface is closed, once its parts that are inside out
    *   are turned; any other becomes a solid: it is sewn and turned, patches over their corners
@@ -240,6 +245,7 @@ export const buildOptions: OptionTable<BuildOptions> = {
   tolerance: { flag: '--tolerance', kind: 'number', least: 0, default: 0 },
   relativeTolerance: { flag: '--relative-tolerance', kind: 'number', least: 0, default: 0.001 },
   depth: { flag: '--depth', kind: 'integer', least: 1, most: 60 },
+  cells: { flag: '--cells', kind: 'integer', least: 1, most: 500000 },
   inside: {
     flag: '--inside',
     kind: 'choice',

@@ -64,6 +64,11 @@ struct BuildOptions {
   /// 60, which is reached nowhere but in hopeless places, or, for `kUniform`, for 18: 64 cells an
   /// axis.
   int depth = 0;
+  /// Resolution of `kUniform` and `kOctree` in cells along the longest side of the input's bounding
+  /// box, 1 to 500,000: any number, where a depth gives powers of two of a cube that is larger
+  /// than the input. The octree's cells are as small as this wherever the surface is not plane. Not
+  /// together with `depth` and the tolerances, which count where this is 0.
+  int cells = 0;
   InsideRule inside = InsideRule::kRepair;
   /// For `kRepair`: winding numbers above this are inside. Not negative, below 1; at 0, patches
   /// close holes, and where that does not do, the number up to 0.5 counts that keeps most of the

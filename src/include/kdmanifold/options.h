@@ -187,6 +187,13 @@ void for_each_field(Options& options, Visit&& visit) {
                     .range = {.least = 1, .most = 60},
                     .unset = "60, or 18 for uniform, 64 cells an axis"},
         options.depth);
+  visit(OptionField{.name = "cells",
+                    .letter = "N",
+                    .help = "resolution of `uniform` and `octree`: cells along the longest side",
+                    .details = "Not together with `depth` and the tolerances.",
+                    .range = {.least = 1, .most = 500'000},
+                    .unset = "what the depth and the tolerance say"},
+        options.cells);
   visit(OptionField{.name = "inside", .help = "which winding numbers are inside"}, options.inside);
   visit(OptionField{.name = "winding_threshold",
                     .letter = "W",

@@ -8,6 +8,7 @@
 
 #include "construct/budget.h"
 #include "inside/make_inside_model.h"
+#include "kdmanifold/extract.h"
 #include "support/shapes.h"
 
 namespace kdm {
@@ -75,6 +76,27 @@ TEST(Budget, StaysExceededFromTheFirstLimitOn) {
     ASSERT_LT(++taken, 1000000);
   }
   EXPECT_EQ(taken, 300000);
+}
+
+// A vertex for each cell of 10 x 5 x 3 that is not amid the others.
+TEST(Construct, CellsAreCountedAlongTheLongestSide) {
+  const Mesh block = shapes::box(Vec3(1, 2, 3), Vec3(21, 12, 9));
+  const Grid grid = build_grid(block, {.strategy = SplitStrategy::kUniform, .cells = 10});
+  EXPECT_EQ(extract(grid, {.strict = Strict::kOff}).positions.size(), 10u * 5 * 3 - 8 * 3 * 1);
+}
+
+// No tolerance counts, so that cells are small wherever the surface is bent; flat ones stay large.
+TEST(Construct, CellsOfAnOctreeAreAsSmallWhereTheSurfaceIsBent) {
+  const BuildOptions uniform{.strategy = SplitStrategy::kUniform, .cells = 12};
+  const BuildOptions octree{.strategy = SplitStrategy::kOctree, .cells = 12};
+  const auto vertices = [](const Mesh& mesh, const BuildOptions& options) {
+    return extract(build_grid(mesh, options), {.strict = Strict::kOff}).positions.size();
+  };
+  const Mesh ball = shapes::icosphere(4);
+  EXPECT_EQ(build_grid(ball, octree).stats().depth, 12);
+  EXPECT_TRUE(build_grid(ball, octree).stats().topology_resolved);
+  EXPECT_GT(vertices(ball, octree), vertices(ball, uniform) * 9 / 10);
+  EXPECT_LT(vertices(shapes::cube(), octree), vertices(shapes::cube(), uniform) / 4);
 }
 
 }  // namespace

@@ -72,7 +72,43 @@ TEST(Lattice, StaysInsideTheRootForExtremeBounds) {
   }
 }
 
+// Returns in which cell of the given width a mesh vertex lies, along one axis.
+std::int32_t cell_of(std::int32_t coordinate, std::int32_t width) {
+  return (coordinate - 1) / width;  // a plane's own vertices lie below it
+}
+
+TEST(Lattice, GivesTheLongestSideAnyNumberOfCells) {
+  for (const int cells : {1, 2, 3, 5, 63, 64, 80, 127, 128, 165, 1000, 4096, 99999, 500000}) {
+    for (const double offset : {0.0, -0.5, 1234.5}) {
+      const Vec3 min(offset, 10 * offset, -offset);
+      const Box box = box_of(min, min + Vec3(5, 7, 0.1));
+      const Lattice lattice = lattice_of_cells(box, cells);
+      const std::int32_t width = kLatticeSize >> halvings_for(cells);
+      const LatticePoint lo = lattice.quantise(box.min);
+      const LatticePoint hi = lattice.quantise(box.max);
+      EXPECT_EQ(cell_of(hi[1], width) - cell_of(lo[1], width) + 1, cells) << offset;
+      EXPECT_EQ(cell_of(lo[0], width), cell_of(lo[1], width));
+      EXPECT_NEAR(lattice.step * width, 7.0 / cells, 3 * 7.0 / cells / cells / width);
+      for (int axis = 0; axis < 3; ++axis) {
+        EXPECT_GE(lo[axis], kLatticeMargin) << cells;
+        EXPECT_LE(hi[axis], kLatticeSize - kLatticeMargin) << cells;
+        EXPECT_NE(lo[axis] % width, 0);
+      }
+    }
+  }
+}
+
+// A tree of twice as many cells an axis would waste a bit of each coordinate.
+TEST(Lattice, HalvesTheRootNoOftenerThanCellsNeed) {
+  EXPECT_EQ(halvings_for(1), 2);
+  EXPECT_EQ(halvings_for(80), 7);
+  EXPECT_EQ(halvings_for(126), 7);
+  EXPECT_EQ(halvings_for(128), 8);
+  EXPECT_EQ(halvings_for(500000), 19);
+}
+
 TEST(Lattice, TakesABoxWithoutExtent) {
+  EXPECT_EQ(lattice_of_cells(box_of(Vec3(2, 3, 4), Vec3(2, 3, 4)), 80).step, 1.0);
   const Lattice lattice = lattice_over(box_of(Vec3(2, 3, 4), Vec3(2, 3, 4)));
   EXPECT_EQ(lattice.step, 1.0);
   EXPECT_EQ(lattice.quantise(Vec3(2, 3, 4)),

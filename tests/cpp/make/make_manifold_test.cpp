@@ -108,6 +108,7 @@ TEST(MakeManifold, GivesTheGridsOwnWhereItIsNotToReduce) {
   expect_plain({.build = {.tolerance = kTolerance}, .extract = {.strict = Strict::kOff}});
   expect_plain({.build = {.strategy = SplitStrategy::kUniform, .depth = 12}});
   expect_plain({.build = {.strategy = SplitStrategy::kMedian}});
+  expect_plain({.build = {.strategy = SplitStrategy::kOctree, .cells = 20}});
   expect_plain({.build = {.relative_tolerance = 0, .depth = 12}});
 }
 
@@ -126,6 +127,9 @@ TEST(MakeManifold, RefusesToReduceBesideWhatExcludesIt) {
             "`target_triangles`: not together with `strategy` median");
   EXPECT_EQ(complaint({.build = {.relative_tolerance = 0}, .reduction = asked}),
             "`reduce`: not together with `relative_tolerance` 0");
+  EXPECT_EQ(
+      complaint({.build = {.strategy = SplitStrategy::kOctree, .cells = 9}, .reduction = asked}),
+      "`reduce`: not together with `cells`");
   EXPECT_EQ(complaint({.reduction = {.reduce = false, .target_triangles = {100}}}),
             "`target_triangles`: not together with `reduce` false");
   EXPECT_EQ(complaint({.reduction = {.target_triangles = {100, 100}}}),

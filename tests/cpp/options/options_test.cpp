@@ -101,6 +101,9 @@ void expect_ranges_checked(Options options = {}) {
     const Value standard = member;
     if constexpr (std::is_same_v<Options, BuildOptions>) {
       if constexpr (std::is_same_v<Value, ThickenWhat>) options.thicken = 1;  // or it has no effect
+      if (std::string_view(field.name) == "cells") {
+        options.strategy = SplitStrategy::kOctree;  // likewise
+      }
     }
     if constexpr (std::is_enum_v<Value>) {
       for (const Word<Value>& word : words_of<Value>()) {
@@ -178,6 +181,23 @@ std::string refusal(const auto& options) {
     return error.what();
   }
   return "";
+}
+
+TEST(Options, CellsStandAlone) {
+  EXPECT_EQ(complaint(BuildOptions{.strategy = SplitStrategy::kUniform, .cells = 500001}),
+            "cells is 500001; it must be a whole number from 1 to 500000, or 0, which stands for "
+            "what the depth and the tolerance say");
+  EXPECT_EQ(refusal(BuildOptions{.cells = 80}), "`cells`: only with `strategy` octree or uniform");
+  EXPECT_EQ(refusal(BuildOptions{.strategy = SplitStrategy::kMedian, .cells = 80}),
+            "`cells`: only with `strategy` octree or uniform");
+  EXPECT_EQ(refusal(BuildOptions{.strategy = SplitStrategy::kUniform, .depth = 9, .cells = 80}),
+            "`depth`: not together with `cells`");
+  EXPECT_EQ(refusal(BuildOptions{.strategy = SplitStrategy::kOctree, .tolerance = 1, .cells = 80}),
+            "`tolerance`: not together with `cells`");
+  EXPECT_EQ(refusal(BuildOptions{
+                .strategy = SplitStrategy::kOctree, .relative_tolerance = 0.01, .cells = 80}),
+            "`relative_tolerance`: not together with `cells`");
+  EXPECT_EQ(refusal(BuildOptions{.strategy = SplitStrategy::kOctree, .cells = 80}), "");
 }
 
 TEST(Options, WhatHasNoEffectIsRefusedByName) {

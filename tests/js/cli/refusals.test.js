@@ -100,6 +100,12 @@ const wrong = [
     ['a.obj', '--target-triangles', '9', '--relative-tolerance', '0'],
     '--target-triangles: not together with --relative-tolerance 0',
   ],
+  [['a.obj', '--cells', '0'], "--cells: '0' is no whole number from 1 to 500000"],
+  [
+    ['a.obj', '--strategy', 'octree', '--cells', '80', '--depth', '9'],
+    '--depth: not together with --cells',
+  ],
+  [['a.obj', '--cells', '80'], '--cells: only with --strategy octree or uniform'],
   // Files.
   [['missing.obj'], 'missing.obj: cannot be read: there is no such file or folder'],
   [['a.obj/b.obj'], 'a.obj/b.obj: cannot be read: a part of its path is no folder'],

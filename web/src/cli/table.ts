@@ -92,6 +92,8 @@ export const helpText = [
   '                            default 0.001; 0: all that is not flat is split down to the depth limit)',
   "  --depth N                 limit of the tree's depth (from 1 to 60; default 60, or 18 for uniform,",
   '                            64 cells an axis)',
+  '  --cells N                 resolution of uniform and octree: cells along the longest side (from 1',
+  '                            to 500000; default what the depth and the tolerance say)',
   '  --inside repair|positive|odd|nonzero|sheet',
   '                            which winding numbers are inside (default repair)',
   '                              repair: positive if the surface is closed, once its parts that are',
