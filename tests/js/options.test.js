@@ -169,7 +169,11 @@ test.each([...build, ...extract, ...reduction].map((option) => [option.name, opt
       const taken = type === 'boolean' ? [[flag]] : legal.map((value) => [flag, String(value)]);
       // It has no effect without.
       const beside =
-        { '--crease-angle': ['--normals'], '--thicken-what': ['--thicken=1'] }[flag] ?? [];
+        {
+          '--cells': ['--strategy=octree'],
+          '--crease-angle': ['--normals'],
+          '--thicken-what': ['--thicken=1'],
+        }[flag] ?? [];
       for (const args of taken) {
         for (const line of tell([...args, ...beside]))
           expect(line).toMatch(/^kdmanifold: none\.obj: cannot be/);
