@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Wires the page together: where models come from, when to inspect and convert, where results go.
-import { load, type Mesh, type MeshFormat, type MeshInput, type Warning } from 'kdmanifold';
+import type { Mesh, MeshFormat, MeshInput, Warning } from 'kdmanifold';
 import { Beside } from './beside';
 import { showChanges, type Account } from './changes';
 import {
@@ -17,25 +17,19 @@ import {
   type Make,
 } from './controls';
 import { describeError } from './describe-error';
+import { download } from './download';
 import { element } from './element';
-import {
-  inventedOf,
-  lostOf,
-  unresolvedOf,
-  type DefectKind,
-  type Finding,
-  type Summary,
-} from './findings';
+import type { Summary } from './findings';
 import { HeatPanel } from './heat-panel';
 import type { Reply, Source } from './inspect.worker';
 import { Inspector } from './inspector';
 import { convertBoth, convertCoarsely, together } from './join';
 import { Latest } from './latest';
-import { showLegend } from './legend';
 import type { Level } from './levels';
 import { LevelsPanel } from './levels-panel';
 import { Measurer } from './measurer';
 import { samples } from './models';
+import { Painted } from './painted';
 import {
   showBusy,
   showError,
@@ -55,11 +49,6 @@ import { storyOf } from './story';
 const settleMilliseconds = 250;
 
 let input: { name: string; mesh: MeshInput; warnings: Warning[] } | null = null;
-let findings: Finding<DefectKind>[] = [];
-// What the conversion has to say, of the input and of its result.
-let missing: Finding[] = [];
-let made: Finding[] = [];
-let spots: Finding[] = [];
 let summary: Summary | null = null;
 let result: Mesh | null = null;
 // What the result consists of, once that is known.
@@ -79,6 +68,7 @@ const stage = new Stage(
   element('input-view'),
   element('output-view'),
 );
+const painted = new Painted(stage);
 const levels = new LevelsPanel(
   measurer,
   (level, isFull) => void showLevel(level, isFull).catch(complain),
@@ -126,13 +116,12 @@ async function convert(): Promise<void> {
     });
     if (running !== mine) return;
     measurer.keep('input', joined ? together(mesh, joined) : mesh);
-    heat.forget();
     operation = joined ? `-${joined.operation}` : '';
     const warnings = [...input.warnings, ...(joined?.warnings ?? [])];
     const { report } = conversion;
     result = conversion.mesh;
-    spots = unresolvedOf(report);
-    present(result, lostOf(mesh, report), [...spots, ...inventedOf(result)]);
+    painted.showResult(result, { input: mesh, report });
+    heat.forget();
     showFull = () => showResult(conversion, { thickness: options.thicken, warnings });
     showFull();
     learnOfGaps(report);
@@ -142,8 +131,8 @@ async function convert(): Promise<void> {
     levels.take({ mesh: result, extent: report.input.extent, closed: report.output.twoManifold });
   } catch (error) {
     if (running !== mine) return;
-    spots = [];
-    present(null, [], []);
+    painted.showResult(null);
+    heat.refresh();
     showError(describeError(error));
   }
 }
@@ -156,17 +145,6 @@ function forgetLevels(): void {
 // What was stopped on purpose is no news.
 function complain(error: unknown): void {
   if (!(error instanceof DOMException)) showError(describeError(error));
-}
-
-function present(mesh: Mesh | null, lost: Finding[], painted: Finding[]): void {
-  missing = lost;
-  made = painted;
-  stage.show('output', mesh);
-  stage.unpaint('input', 'lost');
-  stage.paint('input', missing);
-  stage.paint('output', made);
-  updateLegend();
-  heat.refresh();
 }
 
 async function convertRoughly(): Promise<void> {
@@ -187,17 +165,14 @@ async function convertRoughly(): Promise<void> {
   }
   if (running !== mine) return;
   showRough(words);
-  spots = [];
-  present(mesh, [], []);
+  painted.showResult(mesh);
+  heat.refresh();
 }
 
 // A level of detail in place of the result.
 async function showLevel(level: Level, isFull: boolean): Promise<void> {
   result = level.mesh;
-  made = [...spots, ...inventedOf(result)];
-  stage.show('output', result);
-  stage.paint('output', made);
-  updateLegend();
+  painted.showInstead(result);
   heat.refresh();
   if (!isFull) return tellOfLevel(level);
   showFull();
@@ -222,14 +197,6 @@ function tellChanges(after: Account | null): void {
   showChanges(summary && input && { summary, triangles: trianglesOf(input.mesh) }, outcome);
 }
 
-function updateLegend(): void {
-  // What is wrong with the result comes first, what is new in it last.
-  const invented = made.filter((finding) => !spots.includes(finding));
-  showLegend([...missing, ...spots, ...findings, ...invented], (kind, visible) =>
-    stage.showPaint(kind, visible),
-  );
-}
-
 const trianglesOf = ({ positions, indices }: MeshInput): number =>
   indices ? indices.length / 3 : positions.length / 9;
 
@@ -244,15 +211,14 @@ function begin(source: Source): void {
   running = null;
   input = null;
   summary = null;
-  findings = [];
   forgetLevels();
   live.stop();
   second.forget();
   measurer.stop();
   tellChanges(null);
-  spots = [];
   stage.show('input', null);
-  present(null, [], []);
+  painted.forget();
+  heat.refresh();
   showInput(source.name);
   showBusy();
   if ('mesh' in source) take(source.name, source.mesh);
@@ -297,26 +263,15 @@ function hear(name: string, reply: Reply): void {
     summary = reply.summary;
     tellChanges(outcome);
   }
-  findings.push(...reply.findings);
-  stage.paint('input', reply.findings);
-  updateLegend();
-  if (summary !== null) tell(storyOf(summary, findings, reply.type === 'crossings'));
+  painted.add(reply.findings);
+  if (summary !== null) tell(storyOf(summary, painted.defects, reply.type === 'crossings'));
 }
 
-async function save(format: MeshFormat): Promise<void> {
+function save(format: MeshFormat): void {
   if (result === null || input === null) return;
-  try {
-    const library = await load();
-    const url = URL.createObjectURL(new Blob([library.formatMesh(result, format)]));
-    const link = document.createElement('a');
-    link.href = url;
-    const name = input.name.replace(/\.[^.]*$/, '');
-    link.download = `${name}${operation || '-manifold'}${levels.suffix}.${format}`;
-    link.click();
-    setTimeout(() => URL.revokeObjectURL(url), 60_000);
-  } catch (error) {
-    showError(describeError(error));
-  }
+  const name = input.name.replace(/\.[^.]*$/, '');
+  const made = `${operation || '-manifold'}${levels.suffix}`;
+  download(result, `${name}${made}`, format).catch(complain);
 }
 
 function convertSoon(): void {
@@ -387,7 +342,7 @@ function connect(): void {
   });
   element('cancel').addEventListener('click', stop);
   for (const format of ['obj', 'stl', 'ply'] as const) {
-    element(`save-${format}`).addEventListener('click', () => void save(format));
+    element(`save-${format}`).addEventListener('click', () => save(format));
   }
 
   addEventListener('dragover', (event) => {

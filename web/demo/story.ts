@@ -30,7 +30,7 @@ const words: Record<DefectKind, (n: number, summary: Summary) => string> = {
 /** One or two sentences; `crossingsKnown`: has the search for them come to its end? */
 export function storyOf(
   summary: Summary,
-  findings: Finding<DefectKind>[],
+  findings: readonly Finding<DefectKind>[],
   crossingsKnown: boolean,
 ): string {
   const known = new Map(findings.map((finding) => [finding.kind, finding.count]));
