@@ -104,6 +104,8 @@ void check_combination(const BuildOptions& options, const IsGiven& given) {
            "not sheets together with `winding_threshold`"},
           {"minimum_thickness", !counts, by_tolerance},
           {"minimum_gap", !counts, by_tolerance},
+          {"minimum_thickness", options.cells == 0, instead_of_cells},
+          {"minimum_gap", options.cells == 0, instead_of_cells},
           {"minimum_thickness", solid, by_solid},
           {"minimum_gap", solid, by_solid},
           {"pairing", !sided || options.inside != InsideRule::kSheet,

@@ -9,12 +9,16 @@
 #include <span>
 #include <vector>
 
+#include "geometry/triangle.h"
 #include "mesh/marks.h"
 #include "mesh/sides.h"
 #include "mesh/sort.h"
 
 namespace kdm {
 namespace {
+
+// The cosine of the largest angle between the normals of a quad's triangles.
+constexpr double kFlat = 0.5;
 
 // Two triangles, joined along a diagonal.
 struct CutQuad {
@@ -71,10 +75,10 @@ class Diagonals {
       return !settled_.test(triangle_of(quad.diagonal)) &&
              !settled_.test(triangle_of(opposite(quad.diagonal)));
     };
-    // Triangles that lie upon each other are no quad: they are a front and a back that meet at a
-    // rim, or were cut along the diagonal outside of a quad that is not convex.
+    // Triangles that meet at an angle are no quad: they are faces of a thin body, or a front and a
+    // back that meet at a rim, or were cut along the diagonal outside of a quad that is not convex.
     const auto first = std::find_if(quads.begin(), quads.end(), [&](const CutQuad& quad) {
-      return is_left(quad) && !is_folded(quad.diagonal);
+      return is_left(quad) && is_flat(quad.diagonal);
     });
     if (first == quads.end() || gap(first->diagonal) > tolerance_) return 0;
     const SideId model = first->diagonal;
@@ -117,14 +121,13 @@ class Diagonals {
                       : std::numeric_limits<double>::infinity();
   }
 
-  // Tells whether the quad's two triangles face opposite ways.
-  bool is_folded(SideId diagonal) const {
+  // Tells whether the quad's two triangles face about the same way.
+  bool is_flat(SideId diagonal) const {
     const auto normal = [this](SideId side) {
-      const Vec3& a = faces_.points[start(side)];
-      const Vec3 along = faces_.points[start(next_side(side))] - a;
-      return Vec3(along.cross(faces_.points[apex(side)] - a));
+      return unit_normal(faces_.points[start(side)], faces_.points[start(next_side(side))],
+                         faces_.points[apex(side)]);
     };
-    return normal(diagonal).dot(normal(opposite(diagonal))) < 0;
+    return normal(diagonal).dot(normal(opposite(diagonal))) > kFlat;
   }
 
   // Cuts the quad along its other diagonal.

@@ -3,6 +3,8 @@
 #include "prepare/input_faces.h"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "kdmanifold/error.h"
 #include "mesh/boundary_loops.h"
@@ -122,14 +124,29 @@ void describe(InputFaces& faces) {
   report.stray_parts = extent.stray_parts;
 }
 
+bool has_two_sides(const InputFaces& faces) {
+  return some_part_has_two_sides(faces.triangles, faces.points, faces.topology);
+}
+
+// Tells whether some part has two sides, and lets the quads of its backs be cut like their fronts.
+bool find_two_sides(InputFaces& faces, double tolerance) {
+  std::vector<Triangle> as_given = faces.triangles;
+  if (match_diagonals(faces, tolerance) == 0) return has_two_sides(faces);
+  find_topology(faces);
+  if (has_two_sides(faces)) return true;
+  faces.triangles = std::move(as_given);  // solids that touch each other, for instance
+  find_topology(faces);
+  return has_two_sides(faces);
+}
+
 // Makes surfaces that bound a solid, unless `faces.repair` says that this is left to do.
 void make_closed(InputFaces& faces, const BuildOptions& options) {
   const bool repair = options.inside == InsideRule::kRepair;
   if (!faces.topology.closed() && !repair) throw_not_closed(faces);
   const double tolerance = tolerance_of(options, faces.report.extent);
-  if (repair && match_diagonals(faces, tolerance) > 0) find_topology(faces);
-  if (repair && (!faces.topology.closed() ||
-                 some_part_has_two_sides(faces.triangles, faces.points, faces.topology))) {
+  const bool two_sides =
+      repair && faces.topology.non_manifold_edges > 0 && find_two_sides(faces, tolerance);
+  if (repair && (!faces.topology.closed() || two_sides)) {
     repair_faces(faces, options, tolerance);
     if (faces.repair) return;
   }

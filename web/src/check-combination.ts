@@ -53,6 +53,8 @@ const buildRules: Rule<BuildOptions>[] = [
   ],
   ['minimumThickness', counts, byTolerance],
   ['minimumGap', counts, byTolerance],
+  ['minimumThickness', hasCells, insteadOfCells],
+  ['minimumGap', hasCells, insteadOfCells],
   ['minimumThickness', noSolid, 'only with `inside` repair or positive'],
   ['minimumGap', noSolid, 'only with `inside` repair or positive'],
   [

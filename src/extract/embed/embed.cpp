@@ -46,10 +46,12 @@ constexpr double kMostCrossingSheets = 1.0 / 16;
 // From this round on more than what is faulty is raised. Where parts far thinner than the tolerance
 // touch each other over a long way, a few hits that are raised make their neighbours faulty, and so
 // on along the contact.
-constexpr int kPatience = 8;
+constexpr int kPatience = 12;
 // In how many rounds the hits that are raised reach twice as far.
 constexpr int kDoubling = 2;
 constexpr int kFurthest = 12;  // the largest power of two
+// How far a vertex may come off the planes of its hits for that, as a fraction of the tolerance.
+constexpr double kMostCentring = 1.0 / 4;
 
 class Rounds {
  public:
@@ -193,9 +195,8 @@ class Rounds {
   }
 
   // Raises the hits of these triangles by a level; the loops round which triangles of the highest
-  // level are become nested. In late rounds, and where that changes nothing, raises the hits about
-  // them too. Lists the hits that are to be made anew in `hits_to_remake_`: none if nothing can be
-  // raised any more.
+  // level are become nested. In late rounds raises the hits about them too. Lists the hits that are
+  // to be made anew in `hits_to_remake_`: none if nothing can be raised any more.
   void raise_levels(const std::vector<TriangleId>& faulty, int round) {
     std::vector<HitId> hits;
     std::vector<LoopId> loops_to_nest;
@@ -209,18 +210,35 @@ class Rounds {
     make_set(hits);
     for (const HitId hit : hits) raise(hit, next_level(levels_.hits[hit]));
     for (const LoopId v : loops_to_nest) raise_to_nested(v);
-    if (round >= kPatience || hits_to_remake_.empty()) raise_hits_about(faulty, round);
+    if (round >= kPatience) raise_hits_about(faulty, round);
   }
 
   // Raises the hits of these triangles and those about them to the highest level, the further the
-  // later the round.
+  // later the round, unless that takes vertices off their planes.
   void raise_hits_about(const std::vector<TriangleId>& faulty, int round) {
     std::vector<HitId> hits;
     for (const TriangleId t : faulty) hits.push_back(mesh_.hit[t]);
     make_set(hits);
     const int doublings = std::clamp((round - kPatience) / kDoubling, 0, kFurthest);
     add_hits_about(hits, 1 << doublings);
-    for (const HitId hit : hits) raise(hit, EmbedLevel::kCentred);
+    for (const HitId hit : hits) {
+      if (stays_near(hit)) raise(hit, EmbedLevel::kCentred);
+    }
+  }
+
+  // Tells whether the vertices of the hit's loops, where they are at the highest level, are near
+  // the planes of the loops' hits.
+  bool stays_near(HitId hit) const {
+    const double reach = kMostCentring * view_.grid.tolerance;
+    for (HalfEdgeId h = 3 * hit; h < 3 * hit + 3; ++h) {
+      const LoopId v = loops_.vertex[h];
+      if (levels_.loops[v] >= EmbedLevel::kCentred) continue;
+      const Vec3 centre = loop_position(view_, loops_, v, EmbedLevel::kCentred);
+      for (const HalfEdgeId near : loops_.ring(v)) {
+        if (view_.grid.plane_of(loops_.hit[near / 3]).distance(centre) > reach) return false;
+      }
+    }
+    return true;
   }
 
   // Appends the hits that share loops with these, those that share loops with them, and so on.

@@ -119,7 +119,8 @@ TEST_F(Cli, HelpListsTheOptions) {
          ++it) {
       options.insert(it->str());
     }
-    EXPECT_EQ(options, (std::set<std::string>{"--check",
+    EXPECT_EQ(options, (std::set<std::string>{"--cells",
+                                              "--check",
                                               "--crease-angle",
                                               "--depth",
                                               "--difference",
@@ -336,7 +337,7 @@ TEST_F(Cli, WritesAFileForEachLevel) {
   ASSERT_EQ(json["levels"].size(), 2u);
   for (int i : {0, 1}) {
     const Json& level = json["levels"][i];
-    EXPECT_EQ(keys(level), (Names{"triangles", "file"}));
+    EXPECT_EQ(keys(level), (Names{"triangles", "file", "error"}));
     const std::string file = "few." + std::to_string(i + 1) + ".obj";
     EXPECT_EQ(level["file"], file);
     EXPECT_EQ(level["triangles"], mesh(file.c_str()).triangles.size());
