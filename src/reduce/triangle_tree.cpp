@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 #include "mesh/sort.h"
 
@@ -26,7 +27,9 @@ std::vector<std::uint64_t> along_curve(const std::vector<SmallBox>& boxes) {
   std::array<float, 3> scale{};
   for (int axis = 0; axis < 3; ++axis) {
     const float width = all.max[axis] - all.min[axis];
-    scale[axis] = width > 0 ? 511.9f / width : 0;
+    // A mesh that is next to flat has one place across it, not infinitely many.
+    const float places = width > 0 ? 511.9f / width : 0;
+    scale[axis] = std::isfinite(places) ? places : 0;
   }
   std::vector<std::uint64_t> codes;
   codes.reserve(boxes.size());

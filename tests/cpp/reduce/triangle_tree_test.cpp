@@ -57,6 +57,23 @@ TEST(TriangleTree, FindsTheNearestWhateverTheHint) {
   }
 }
 
+// Across it, a place on the curve would be infinitely far.
+TEST(TriangleTree, TakesAMeshThatIsNextToFlat) {
+  check::Random random(3);
+  Triangles all = random_triangles(random, 400, 0.1);
+  for (auto& corners : all.corners) {
+    for (Vec3& corner : corners) corner[2] *= 1e-41;
+  }
+  const TriangleTree tree(all.boxes());
+  for (TriangleId t = 0; t < 400; ++t) {
+    const Vec3 p = (all.corners[t][0] + all.corners[t][1] + all.corners[t][2]) / 3;
+    const auto distance = [&](TriangleId i) { return all.squared_distance_of(i, p); };
+    const TriangleId found = tree.nearest(p, 1e9, 0, kNone, distance);
+    ASSERT_NE(found, kNone);
+    EXPECT_LE(distance(found), distance(t));
+  }
+}
+
 TEST(TriangleTree, FindsWhatMeetsABoxWhileTrianglesComeAndGo) {
   check::Random random(2);
   Triangles all = random_triangles(random, 300, 0.2);

@@ -82,7 +82,9 @@ TEST(OneWaySections, NoneOfThemIsClosed) {
     }
   });
   EXPECT_GT(one_way, closed);
-  EXPECT_GT(closed, 5);
+  if (!check::kSanitized) {
+    EXPECT_GT(closed, 5);
+  }
 }
 
 TEST(OneWaySections, TrianglesOfAGraphDoNotCross) {
@@ -98,8 +100,8 @@ TEST(OneWaySections, TrianglesOfAGraphDoNotCross) {
     if (cross) ++crossing;
     if (graph) ++graphs;
   });
-  EXPECT_GT(graphs, 20);
-  EXPECT_GT(crossing, 20);
+  EXPECT_GT(graphs, check::kSanitized ? 1 : 20);
+  EXPECT_GT(crossing, check::kSanitized ? 1 : 20);
 }
 
 // Seen from above both blocks face one way, but a line from there enters one after the other.
