@@ -14,7 +14,7 @@ namespace kdm {
 namespace {
 
 constexpr double kPoints = 4096;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
 double area_of(const std::array<Vec3, 3>& t) {
   return doubled_area_vector(t[0], t[1], t[2]).norm() / 2;
@@ -54,14 +54,14 @@ class Distances {
   void add(const Vec3& p, bool for_mean) {
     if (!for_mean && to_.is_near(p, largest_, hint_)) return;
     hint_ = to_.nearest(p, kAnyDistance, hint_);
-    const double squared = hint_ == kNone ? kInfinity : to_.squared_distance(hint_, p);
+    const double squared = hint_ == kNone ? kUnlimited : to_.squared_distance(hint_, p);
     largest_ = std::max(largest_, std::sqrt(squared));
     if (!for_mean) return;
     sum_ += squared;
     ++in_mean_;
   }
   Deviation deviation() const {
-    if (in_mean_ == 0) return {kInfinity, kInfinity};
+    if (in_mean_ == 0) return {kUnlimited, kUnlimited};
     return {largest_, std::sqrt(sum_ / in_mean_)};
   }
 

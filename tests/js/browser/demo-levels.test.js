@@ -140,7 +140,7 @@ test('the making of levels can be stopped, and taken up again', async () => {
 
 test('where there can be no levels it is said why', async () => {
   const { positions, indices } = torus();
-  await page.selectOption('#make', 'sheet');
+  await demo.busyThenSettled(() => page.selectOption('#make', 'sheet'));
   await demo.choose('open.obj', { positions, indices: indices.slice(30) });
   expect(await text('#verdict')).toMatch(/^Open/);
   expect(await text('#level-message')).toBe('Levels are made of closed results without quads.');
