@@ -29,19 +29,24 @@ struct PairedPart {
 
 Marks find_two_sided_parts(std::span<const Triangle> triangles, const std::vector<Vec3>& points,
                            const Marks& paired, DisjointSets& parts, Index fewest) {
-  std::vector<PairedPart> found(triangles.size());  // by the triangle that stands for the part
-  for (TriangleId t = 0; t < triangles.size(); ++t) {
-    const Triangle& corners = triangles[t];
-    const TriangleId first = parts.find(t);
-    PairedPart& part = found[first];
-    part.paired += paired.test(t) ? 1 : 0;
-    Measure& measure = paired.test(t) ? part.pairs : part.rest;
-    measure.centre = points[triangles[first][0]];
-    measure.add(points[corners[0]], points[corners[1]], points[corners[2]]);
-  }
   Marks two_sided(triangles.size());
+  if (!paired.any()) return two_sided;
+  std::vector<Index> number(triangles.size(), kNone);  // by the triangle that stands for the part
+  std::vector<PairedPart> found;
   for (TriangleId t = 0; t < triangles.size(); ++t) {
-    const PairedPart& part = found[parts.find(t)];
+    Index& part = number[parts.find(t)];
+    const Triangle& corners = triangles[t];
+    if (part == kNone) {
+      part = static_cast<Index>(found.size());
+      found.emplace_back();
+      found.back().pairs.centre = found.back().rest.centre = points[corners[0]];
+    }
+    found[part].paired += paired.test(t) ? 1 : 0;
+    (paired.test(t) ? found[part].pairs : found[part].rest)
+        .add(points[corners[0]], points[corners[1]], points[corners[2]]);
+  }
+  for (TriangleId t = 0; t < triangles.size(); ++t) {
+    const PairedPart& part = found[number[parts.find(t)]];
     two_sided.set(t, part.paired >= fewest && part.has_two_sides());
   }
   return two_sided;
