@@ -96,7 +96,15 @@ bool BothSurfaces::is_inner(Index triangle, const Vec3& place) {
   if (grid_.sheet || grid_.thickness > 0 || result.winding(place) <= 0) return false;
   if (!input_tells()) return true;
   const Vec3 aside = reach / 16 * normalized_or_zero(input.doubled_area(triangle));
-  return inside(input.winding(place + aside)) && inside(input.winding(place - aside));
+  return input_inside(place + aside) && input_inside(place - aside);
+}
+
+bool BothSurfaces::is_cut_off(Index triangle, const Vec3& place) {
+  if (grid_.sheet || grid_.thickness > 0 || !input_tells()) return false;
+  constexpr double kBeside = 4;  // lattice units: rounding moves faces on each other less far apart
+  const double step = grid_.lattice.step / unit;
+  const Vec3 aside = kBeside * step * normalized_or_zero(input.doubled_area(triangle));
+  return !input_inside(place + aside) && !input_inside(place - aside);
 }
 
 }  // namespace kdm

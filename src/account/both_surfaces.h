@@ -29,6 +29,9 @@ class BothSurfaces {
   /// Says whether the inside rule drops a place on a triangle of the input, as there is solid on
   /// both sides. To be asked for places that are further than `told_apart` from the result.
   bool is_inner(Index triangle, const Vec3& place);
+  /// Says whether there is no solid on either side of a place on a triangle of the input, as where
+  /// a notch ends at the side of what it is taken off: nothing is lost there.
+  bool is_cut_off(Index triangle, const Vec3& place);
 
  private:
   static Index at(const std::vector<Index>& list, Index i) {
@@ -42,6 +45,7 @@ class BothSurfaces {
   void leave_out_flat();
   void match();
   bool inside(int winding) const;
+  bool input_inside(const Vec3& place) { return inside(input.winding(place)); }
   // Where faces were turned or holes closed, the input itself does not tell what is inside.
   bool input_tells() const { return grid_.input.closed && grid_.input.turned_faces == 0; }
 

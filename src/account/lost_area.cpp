@@ -80,7 +80,11 @@ class Search {
   void look_at(Index t, const Vec3& point) {
     ++looked_at_;
     if (both_.result.squared_distance(point, far_, both_.in_result(t)) <= far_) return;
-    ++(both_.is_inner(t, point) ? inner_ : missing_);
+    if (both_.is_inner(t, point)) {
+      ++inner_;
+    } else if (!both_.is_cut_off(t, point)) {
+      ++missing_;
+    }
   }
 
   BothSurfaces& both_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "inside/gaps.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -81,11 +83,47 @@ std::vector<Gap> find_gaps(const GridData& grid, const std::vector<LatticeBox>& 
 }  // namespace
 
 GapRule::GapRule(const Surface& surface, double tolerance)
-    : surface_(surface), part_of_(find_parts(surface.topology)), widest_(widest_gap(tolerance)) {}
+    : surface_(surface), part_of_(find_parts(surface.topology)), widest_(widest_gap(tolerance)) {
+  if (!part_of_.empty()) find_inward_parts();
+}
+
+void GapRule::find_inward_parts() {
+  std::vector<double> volumes(1 + *std::max_element(part_of_.begin(), part_of_.end()), 0);
+  for (TriangleId t = 0; t < part_of_.size(); ++t) {
+    const auto& [a, b, c] = surface_.triangles[t];
+    volumes[part_of_[t]] += to_vec3(a).dot(to_vec3(b).cross(to_vec3(c)));
+  }
+  if (*std::min_element(volumes.begin(), volumes.end()) >= 0) return;
+  for (const double volume : volumes) inward_.push_back(volume < 0);
+}
+
+// Tells whether what lies between two triangles is what one solid or part leaves of another.
+bool GapRule::cut_off(TriangleId a, TriangleId b) const {
+  if (surface_.several_solids() && surface_.solid_of[a] != surface_.solid_of[b]) return true;
+  return !inward_.empty() && inward_.test(part_of_[a]) != inward_.test(part_of_[b]);
+}
+
+// Of crossings at one position, between which there is a sliver without thickness, parts of the
+// solid seem to touch.
+void GapRule::drop_what_is_cut_off(std::span<ClassifiedCrossing> edge) const {
+  for (std::size_t first = 0; first < edge.size();) {
+    std::size_t last = first + 1;
+    bool cut = false;
+    for (; last < edge.size() && edge[last].position() == edge[first].position(); ++last) {
+      cut = cut || cut_off(edge[first].triangle(), edge[last].triangle());
+    }
+    for (; first < last; ++first) {
+      if (cut && edge[first].role() == CrossingRole::kTouching) {
+        edge[first].set_role(CrossingRole::kInner);
+      }
+    }
+  }
+}
 
 void GapRule::close(int axis, std::span<ClassifiedCrossing> edge) const {
+  if (!inward_.empty()) drop_what_is_cut_off(edge);
   ClassifiedCrossing* leaving = nullptr;   // where the solid was left last
-  ClassifiedCrossing* entering = nullptr;  // where it was entered last; only of several solids
+  ClassifiedCrossing* entering = nullptr;  // where it was entered last; only if there are slivers
   const auto pair_off = [&](ClassifiedCrossing& first, ClassifiedCrossing& second,
                             CrossingRole role) {
     first.set_role(role);
@@ -102,7 +140,7 @@ void GapRule::close(int axis, std::span<ClassifiedCrossing> edge) const {
       }
     } else if (leaving != nullptr && closes(axis, *leaving, crossing)) {
       pair_off(*leaving, crossing, CrossingRole::kGap);
-    } else if (surface_.several_solids()) {
+    } else if (leaves_slivers_out()) {
       entering = &crossing;
     }
   }
@@ -118,7 +156,7 @@ bool GapRule::closes(int axis, const ClassifiedCrossing& leaving,
 
 bool GapRule::leaves_out(int axis, const ClassifiedCrossing& entering,
                          const ClassifiedCrossing& leaving) const {
-  return surface_.solid_of[entering.triangle()] != surface_.solid_of[leaving.triangle()] &&
+  return cut_off(entering.triangle(), leaving.triangle()) &&
          normal_out(axis, entering).dot(normal_out(axis, leaving)) <= kFacing &&
          width_between(axis, entering, leaving) <= kNarrow;
 }

@@ -21,9 +21,10 @@ inline double widest_gap(double tolerance) { return std::max(4.0, tolerance / 32
 
 /// Says which gaps are closed, from the two crossings alone, so that all cells agree: those whose
 /// two sides face each other, not those at the bottom of a valley. Between two parts of the surface
-/// gaps up to `widest_gap` are closed, within one part gaps up to four lattice units. Of several
-/// solids, slivers are left out as well: what two solids leave between their faces, up to four
-/// lattice units thick.
+/// gaps up to `widest_gap` are closed, within one part gaps up to four lattice units. Slivers up to
+/// four lattice units thick are left out as well: what two solids leave between their faces, or a
+/// part that is turned inwards, such as a notch, between its faces and those of the part that it is
+/// taken off.
 class GapRule {
  public:
   /// The tolerance is in lattice units. Keeps a reference to the surface.
@@ -34,7 +35,13 @@ class GapRule {
   /// leave a sliver. The crossings ascend along the edge.
   void close(int axis, std::span<ClassifiedCrossing> edge) const;
 
+  /// Tells whether there may be slivers that are left out.
+  bool leaves_slivers_out() const { return surface_.several_solids() || !inward_.empty(); }
+
  private:
+  bool cut_off(TriangleId a, TriangleId b) const;
+  void find_inward_parts();
+  void drop_what_is_cut_off(std::span<ClassifiedCrossing> edge) const;
   bool closes(int axis, const ClassifiedCrossing& leaving,
               const ClassifiedCrossing& entering) const;
   bool leaves_out(int axis, const ClassifiedCrossing& entering,
@@ -45,6 +52,7 @@ class GapRule {
 
   const Surface& surface_;
   std::vector<Index> part_of_;  // per triangle; empty if there is one part
+  Marks inward_;                // per part: it is turned inwards; empty if none is
   double widest_;
 };
 

@@ -57,6 +57,10 @@ class InsideModel {
     static_cast<void>(solids);
   }
 
+  /// Tells whether what is left of the solid between two faces on each other may be left out,
+  /// though the states say that it is inside.
+  virtual bool leaves_slivers_out() const { return false; }
+
   /// Sorts the crossings `found` on an edge by their position, classifies them, and appends them to
   /// `planned` in ascending order.
   virtual void plan_edge(const GridEdge& edge, std::vector<Crossing>& found,

@@ -21,6 +21,8 @@ class WindingModel final : public InsideModel {
 
   std::optional<bool> is_inside(int state) const override { return kdm::is_inside(rule_, state); }
 
+  bool leaves_slivers_out() const override { return gaps_.leaves_slivers_out(); }
+
   int state_at(const LatticePoint& vertex, int counted) override {
     static_cast<void>(vertex);
     return counted;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 
+#include "geometry/distance.h"
 #include "geometry/exact_sign.h"
 #include "mesh/box_tree.h"
 #include "mesh/boxes.h"
@@ -23,6 +24,11 @@ using Corners = std::array<Vec3, 3>;
 // thousand round each other, but not a block with a hundred thousand bubbles.
 constexpr std::uint64_t kMostTests = std::uint64_t{1} << 25;
 constexpr std::uint64_t kTestsPerPoint = 4;
+
+// A point this close to a part lies on it: parts that touch do so but for rounding errors.
+constexpr double kTouching = 1e-7;
+
+Box widened(const Box& box) { return {box.min.array() - kTouching, box.max.array() + kTouching}; }
 
 bool holds(const Box& a, const Box& b) {
   return (a.min.array() <= b.min.array()).all() && (a.max.array() >= b.max.array()).all();
@@ -91,20 +97,9 @@ int line_crosses(const Corners& t, const Vec3& p) {
   return side_of_edge(t[2], t[0], p) == first ? first : 0;
 }
 
-// Tells whether a point in the triangle's plane is on the triangle. No point is on a triangle
-// without area.
-bool is_on(const Corners& t, const Vec3& p) {
-  int axis = 0;
-  while (axis < 3 && area_sign(t[0], t[1], t[2], axis) == 0) ++axis;
-  if (axis == 3) return false;
-  bool left = false;
-  bool right = false;
-  for (int i = 0; i < 3; ++i) {
-    const int side = area_sign(t[i], t[i == 2 ? 0 : i + 1], p, axis);
-    left = left || side > 0;
-    right = right || side < 0;
-  }
-  return !(left && right);
+// `box` is that of the triangle, widened.
+bool is_on(const Corners& t, const Box& box, const Vec3& p) {
+  return holds(box, {p, p}) && squared_distance(p, t[0], t[1], t[2]) <= kTouching * kTouching;
 }
 
 // Calls `ask(corners)` for every triangle of some faces.
@@ -134,10 +129,11 @@ std::vector<Box> middles(const Polygons& faces, std::span<const Vec3> positions,
 // Where a point lies in relation to one part.
 struct Verdict {
   int winding = 0;  // the part's winding number at the point
-  bool on = false;  // the point is on the part
+  bool on = false;  // the point is on the part; then the winding number does not count
 };
 
-// Tells whether the triangle lies beside or above all rays from points within the bounds.
+// Tells whether the triangle lies beside or above all rays from points within the bounds, which are
+// widened.
 bool misses_rays(const Corners& t, const Box& bounds) {
   for (const int axis : {1, 2}) {
     const auto [low, high] = std::minmax({t[0][axis], t[1][axis], t[2][axis]});
@@ -154,26 +150,26 @@ std::vector<Verdict> judge(const std::vector<Box>& points, const Triangles& tria
                            std::uint64_t& tests) {
   Box bounds = points[0];
   for (const Box& point : points) grow(bounds, point);
+  bounds = widened(bounds);
   const double highest = bounds.max.x();
   const BoxTree tree(points);
   std::vector<Verdict> verdicts(points.size());
   triangles([&](const Corners& t) {
     if (tests > kMostTests || misses_rays(t, bounds)) return;
-    Box above = box_of(t[0], t[1], t[2]);
+    const Box box = widened(box_of(t[0], t[1], t[2]));
+    Box above = box;
     above.max.x() = std::max(above.max.x(), highest);
     tree.for_each_meeting(above, [&](Index i) {
       tests += kTestsPerPoint;
       const Vec3& p = points[i].min;
+      if (verdicts[i].on) return;
+      verdicts[i].on = is_on(t, box, p);
       const int side = volume_sign(t[0], t[1], t[2], p);
-      if (side == 0) {
-        verdicts[i].on = verdicts[i].on || is_on(t, p);
-        return;
-      }
       // The triangle is below the point if its normal points up the axis and the point is on the
       // side that it points to, or neither. Then a line up the axis leaves or enters the part
       // there.
       const int up = line_crosses(t, p);
-      if (up == side) verdicts[i].winding -= up;
+      if (side != 0 && up == side) verdicts[i].winding -= up;
     });
   });
   return verdicts;
@@ -202,9 +198,10 @@ std::optional<std::vector<Enclosure>> find_enclosures(const Polygons& faces,
   for (const Index outer : closed) {
     std::vector<Index> candidates;
     std::vector<Box> points;
-    tree.for_each_meeting(shells[outer].bounds, [&](Index i) {
+    const Box bounds = widened(shells[outer].bounds);
+    tree.for_each_meeting(bounds, [&](Index i) {
       ++tests;
-      if (closed[i] == outer || !holds(shells[outer].bounds, boxes[i])) return;
+      if (closed[i] == outer || !holds(bounds, boxes[i])) return;
       candidates.push_back(closed[i]);
       for (const Index v : samples[closed[i]]) points.push_back({positions[v], positions[v]});
     });
@@ -230,11 +227,12 @@ std::optional<std::vector<Enclosure>> find_enclosures(const Polygons& faces,
       // All of its outermost vertices lie on the other part: amid its faces it may not.
       const std::vector<Verdict> amid =
           judge(middles(faces, positions, faces_of.of(inner)), triangles_of_outer, tests);
-      const auto within = std::count_if(amid.begin(), amid.end(),
-                                        [](const Verdict& v) { return !v.on && v.winding != 0; });
-      if (2 * within > static_cast<std::ptrdiff_t>(amid.size())) {
-        enclosures.push_back({inner, outer});
+      std::size_t within = 0;
+      std::size_t outside = 0;
+      for (const Verdict& v : amid) {
+        if (!v.on) ++(v.winding != 0 ? within : outside);
       }
+      if (within > outside) enclosures.push_back({inner, outer});
     }
     if (tests > kMostTests) return std::nullopt;
   }

@@ -26,9 +26,10 @@ struct Enclosure {
 /// outer part. Whether a part lies in another one is judged by its outermost vertices along the
 /// eight diagonals of space: each of them must lie on the outer part or where the outer part's
 /// winding number is not 0, and at least one must not lie on the outer part. If all lie on it,
-/// points amid some of its faces are judged instead, and most of them must lie within. Decides
-/// exactly if coordinates are scaled to about 1, but for points amid faces that lie on the outer
-/// part. `part_of` gives the part of each face, or kNone; `shells` describes the parts.
+/// points amid some of its faces are judged instead: of those that do not lie on the outer part,
+/// more must lie within than outside. What is closer than 1e-7 counts as on it, as parts that touch
+/// do so but for rounding errors; for all else the signs are exact. Coordinates must be scaled to
+/// about 1. `part_of` gives the part of each face, or kNone; `shells` describes the parts.
 ///
 /// The number of pairs may grow with the square of the number of parts. Returns nothing if finding
 /// them would take more than about a second.

@@ -116,14 +116,16 @@ bool InnerTriangles::bounds_nothing(MemberId member, const Vec3& point) const {
   if (!lies_before(t, before) || lies_before(t, behind)) return false;  // at the cell's side
   const bool inside_before = inside(before);
   const bool inside_behind = inside(behind);
-  if (inside_before == inside_behind) return inside_before || solids_coincide(before, behind);
+  if (inside_before == inside_behind) return inside_before || is_cut_off(before, behind);
   return inside(beside(inside_before ? -reach_ : reach_));
 }
 
-// Tells of two points outside, on either side of a triangle, whether faces of several solids lie on
-// each other there: then one solid begins where another one is cut off.
-bool InnerTriangles::solids_coincide(const LatticePoint& before, const LatticePoint& behind) const {
-  return surface_.several_solids() && state_at(before) != state_at(behind);
+// Tells of two points outside, on either side of a triangle, whether faces lie on each other there
+// that leave nothing between them: one solid begins where another one is cut off, or a part that is
+// turned inwards, such as a notch, ends where the part does that it is taken off.
+bool InnerTriangles::is_cut_off(const LatticePoint& before, const LatticePoint& behind) const {
+  if (surface_.several_solids()) return state_at(before) != state_at(behind);
+  return model_.leaves_slivers_out();
 }
 
 // Follows three grid lines from the cell's lowest corner.

@@ -35,7 +35,7 @@ class InnerTriangles {
   void find_members_apart(const Marks& crossing);
   bool near_another_solid(MemberId member) const;
   bool bounds_nothing(MemberId member, const Vec3& point) const;
-  bool solids_coincide(const LatticePoint& before, const LatticePoint& behind) const;
+  bool is_cut_off(const LatticePoint& before, const LatticePoint& behind) const;
   int state_at(const LatticePoint& point) const;
   int follow(int axis, const LatticePoint& from, std::int32_t to, int state) const;
 
