@@ -27,10 +27,11 @@ constexpr double kMostSlack = 1.0 / 16;
 using Side = ThickField::Side;
 
 // Where the field of a surface changes at its triangles.
-std::shared_ptr<const PointField> field_of(const Surface& surface, const BuildOptions& options) {
+std::shared_ptr<const PointField> field_of(const Surface& surface, const BuildOptions& options,
+                                           double tolerance) {
   constexpr double kClosed = 0.5;
-  return std::make_shared<WindingField>(surface.triangles,
-                                        surface.repair ? options.winding_threshold : kClosed);
+  return std::make_shared<WindingField>(
+      surface.triangles, surface.repair ? options.winding_threshold : kClosed, tolerance);
 }
 
 std::vector<ThickField::Corners> boundary_of(const Mesh& mesh, const Lattice& lattice) {
@@ -62,7 +63,7 @@ class OpenedAndClosed {
         options_(options),
         tolerance_(tolerance),
         progress_(progress),
-        field_(field_of(surface_, options)) {
+        field_(field_of(surface_, options, tolerance)) {
     surface_.repair = true;  // from here on the field decides, and not the crossings
   }
 

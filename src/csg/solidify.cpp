@@ -101,7 +101,8 @@ Marks find_uncovered(const OpenMesh& open, std::size_t parts, const InputFaces& 
                          lattice.quantise(faces.points[c])});
   }
   constexpr double kInside = 0.5;
-  const WindingField field(triangles, kInside);
+  constexpr double kSpacing = kLatticeSize / 256;
+  const WindingField field(triangles, kInside, kSpacing);
   Marks uncovered(parts);
   for (std::size_t t = 0; t < open.part_of.size(); ++t) {
     if (uncovered.test(open.part_of[t])) continue;

@@ -12,6 +12,9 @@ class PointField {
   virtual ~PointField() = default;
 
   virtual bool inside(const Vec3& p) const = 0;
+  /// Returns how far inside a point is, in a measure of the field's own that changes smoothly where
+  /// there is no surface: positive inside. A field without one returns 1 and -1.
+  virtual double excess(const Vec3& p) const { return inside(p) ? 1 : -1; }
   /// Tells whether a grid vertex is inside. The vertex is read as shifted by (e, e^2, e^3), e
   /// infinitesimal (see geometry/predicates.h).
   virtual bool inside(const LatticePoint& p) const = 0;

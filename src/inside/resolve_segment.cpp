@@ -105,14 +105,31 @@ void SegmentResolver::find_clusters(const Segment& segment,
   }
 }
 
-// Finds, by bisection, a position strictly between two others at which the state changes.
+// Finds a position strictly between two others at which the state changes: by halving until the
+// field is known on both sides of the change, then where a straight line between the two says. A
+// step that leaves more than half is followed by halving.
 LinePosition SegmentResolver::change_between(const Segment& segment, LinePosition low,
                                              LinePosition high, bool inside_low) const {
   double below = real_position(low);
   double above = real_position(high);
+  double excess_below = 0;  // 0: not asked for
+  double excess_above = 0;
+  bool halve = false;
   while (above - below > precision_) {
-    const double middle = 0.5 * (below + above);
-    (inside(segment, middle) == inside_low ? below : above) = middle;
+    double next = 0.5 * (below + above);
+    if (!halve && excess_below != 0 && excess_above != 0) {
+      const double room = above - below;
+      const double root = room * excess_below / (excess_below - excess_above);
+      // A little to the side of the far end, so that the next step comes from there.
+      const double beyond = root < 0.5 * room ? 0.4 * precision_ : -0.4 * precision_;
+      next = below + std::clamp(root + beyond, 0.4 * precision_, room - 0.4 * precision_);
+    }
+    const double before = above - below;
+    const double excess = field_.excess(point_at(segment, next));
+    const bool is_below = (excess > 0) == inside_low;
+    (is_below ? below : above) = next;
+    (is_below ? excess_below : excess_above) = excess;
+    halve = above - below > 0.5 * before;
   }
   const auto position =
       static_cast<LinePosition>(0.5 * (below + above) * static_cast<double>(1 << kFractionBits));

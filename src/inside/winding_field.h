@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The generalised winding number of triangles, whether they form a closed surface or not (Jacobson
 // et al. 2013): the fraction of its surroundings in which a point sees triangles from behind, minus
-// the fraction in which it sees them from the front. Summed over a tree (Barill et al. 2018).
+// the fraction in which it sees them from the front.
 #pragma once
 
-#include <array>
 #include <span>
-#include <vector>
 
 #include "inside/point_field.h"
-#include "mesh/numbers.h"
+#include "inside/winding_boxes.h"
+#include "inside/winding_tree.h"
 
 namespace kdm {
 
@@ -19,24 +18,27 @@ namespace kdm {
 class WindingField final : public PointField {
  public:
   /// Builds the tree, in time n log n. Points with a winding number above `threshold` will be
-  /// inside; 0 stands for a threshold that suits the triangles (see choose_winding_threshold). The
-  /// triangles must outlive the field.
-  WindingField(std::span<const LatticeTriangle> triangles, double threshold);
+  /// inside; 0 stands for a threshold that suits the triangles (see choose_winding_threshold).
+  /// Points will be asked for about `spacing` lattice units apart: it decides about time, not about
+  /// what is inside. The triangles must outlive the field. It remembers what many points have in
+  /// common, so that only one thread may ask it.
+  WindingField(std::span<const LatticeTriangle> triangles, double threshold, double spacing);
 
   double threshold() const override { return threshold_; }
 
-  /// Returns the winding number of a point, exact to about 0.01.
+  /// Returns the winding number of a point, exact to about 0.02. It is meant for few points that
+  /// are far apart.
   double winding(const Vec3& p) const;
 
-  /// Returns whether the winding number is above the threshold. A rough sum is taken first, and a
-  /// finer one only if the threshold lies within the error of the rough one. If the winding number
-  /// is within about 0.01 of the threshold, the answer may be wrong. That happens at holes only:
-  /// beside a triangle, winding numbers are about one half away from the threshold.
-  bool inside(const Vec3& p) const override;
-  /// On which side of each triangle the vertex lies is decided exactly.
+  /// Returns the winding number less the threshold, exact to about 0.02. If the two are closer to
+  /// each other than that, `inside` may be wrong. That happens at holes only: beside a triangle,
+  /// winding numbers are about one half away from the threshold.
+  double excess(const Vec3& p) const override;
+  bool inside(const Vec3& p) const override { return excess(p) > 0; }
+  /// On which side of each triangle close by the vertex lies is decided exactly.
   bool inside(const LatticePoint& p) const override;
   /// Returns the gradient of the winding number, per lattice unit. It points towards the inside.
-  /// The triangles close to the point count exactly, those far away as in the finer sum.
+  /// The triangles close to the point count exactly, those far away as for the winding number.
   Vec3 gradient(const Vec3& p) const override;
 
   /// Returns how much was summed so far, in triangles. Four tree nodes seen from afar count as one
@@ -44,38 +46,14 @@ class WindingField final : public PointField {
   std::size_t work() const override { return work_; }
 
  private:
-  static constexpr int kLevels = 2;  // of accuracy: 0 rough, 1 fine
+  template <typename AddNear>
+  double sum(const Vec3& p, std::span<const Index> roots, const AddNear& add_near) const;
+  template <typename AddNear>
+  double excess_with(const Vec3& p, const AddNear& add_near) const;
 
-  // Some neighbouring triangles. Far away, the winding number that they make is nearly given by the
-  // first two terms of its Taylor series about the centre.
-  struct Node {
-    Vec3 centre;
-    // Per level the squared distance beyond which the other terms are negligible.
-    std::array<double, kLevels> far;
-    Vec3 area;              // integral of the normal
-    Eigen::Matrix3d first;  // integral of normal times offset from the centre
-    Index begin, end;       // its triangles, as places in order_
-    Index right;            // node of its right child; the left child follows it; 0: a leaf
-  };
-  struct Value {
-    double winding = 0;
-    double error = 0;
-  };
-
-  Index build(Index begin, Index end, std::vector<Vec3>& centroids);
-  void summarise(Node& node) const;
-  template <typename AddNode, typename AddTriangle>
-  void traverse(const Vec3& p, int level, const AddNode& add_node,
-                const AddTriangle& add_triangle) const;
-  template <typename AddTriangle>
-  Value evaluate(const Vec3& p, int level, const AddTriangle& add_triangle) const;
-  template <typename AddTriangle>
-  bool decide(const Vec3& p, const AddTriangle& add_triangle) const;
-
-  std::span<const LatticeTriangle> triangles_;
+  WindingTree tree_;
+  mutable WindingBoxes boxes_;
   double threshold_;
-  std::vector<TriangleId> order_;  // each node's triangles are consecutive
-  std::vector<Node> nodes_;
   mutable std::size_t work_ = 0;
 };
 

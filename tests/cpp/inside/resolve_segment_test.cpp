@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 
 #include "inside/winding_field.h"
@@ -34,7 +35,7 @@ struct Cube {
 class Line {
  public:
   Line(const std::vector<LatticeTriangle>& triangles, std::int32_t x, std::int32_t y)
-      : field_(triangles, 0.5), segment_{2, {x, y, 0}, kLatticeSize, false, false} {
+      : field_(triangles, 0.5, 64), segment_{2, {x, y, 0}, kLatticeSize, false, false} {
     for (Index i = 0; i < triangles.size(); ++i) {
       const int sign = line_crosses(triangles[i], 2, x, y);
       if (sign == 0) continue;
@@ -106,6 +107,51 @@ TEST(ResolveSegment, ADoubledFaceIsOneHit) {
   Line line(cube.triangles, kMiddle, kMiddle + 9);
   EXPECT_EQ(line.crossings().size(), 4u);
   EXPECT_EQ(line.resolve(), "<>");
+}
+
+// A field that is inside below a height, and counts how often it is asked.
+class Slope final : public PointField {
+ public:
+  Slope(double height, bool smooth) : height_(height), smooth_(smooth) {}
+
+  bool inside(const Vec3& p) const override { return excess(p) > 0; }
+  bool inside(const LatticePoint& p) const override { return inside(to_vec3(p)); }
+  double excess(const Vec3& p) const override {
+    ++asked;
+    const double depth = (height_ - p[2]) / kLatticeSize;
+    if (!smooth_) return depth > 0 ? 1 : -1;
+    return depth / (1 + 3 * std::abs(depth));
+  }
+  Vec3 gradient(const Vec3& p) const override {
+    static_cast<void>(p);
+    return -Vec3::UnitZ();
+  }
+  std::size_t work() const override { return 0; }
+
+  mutable int asked = 0;
+
+ private:
+  double height_;
+  bool smooth_;
+};
+
+// About 24 halvings lead from the segment to the precision; of a field that changes smoothly about
+// half as many questions do.
+TEST(ResolveSegment, ASmoothFieldIsAskedFewTimes) {
+  check::Random random(6);
+  for (int trial = 0; trial < 200; ++trial) {
+    const double height = random.between(1, kLatticeSize - 1);
+    for (const bool smooth : {false, true}) {
+      const Slope field(height, smooth);
+      std::vector<Crossing> none;
+      std::vector<ClassifiedCrossing> found;
+      const Segment segment{2, {kMiddle, kMiddle, 0}, kLatticeSize, true, false};
+      SegmentResolver(field, 1.0 / 16).resolve(segment, none, true, found);
+      ASSERT_EQ(found.size(), 1u);
+      EXPECT_NEAR(real_position(found[0].position()), height, 1.0 / 16);
+      EXPECT_LE(field.asked, smooth ? 14 : 26);
+    }
+  }
 }
 
 // Whatever the crossings and the ends are, the result alternates, fits them and ascends.

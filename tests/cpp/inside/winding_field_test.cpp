@@ -19,6 +19,9 @@ namespace {
 
 using check::Random;
 
+// How far apart points are asked for, if all over the lattice.
+constexpr double kSpacing = kLatticeSize / 256;
+
 // By the textbook: one arc tangent a triangle.
 double plain_winding(const std::vector<LatticeTriangle>& triangles, const Vec3& p) {
   double sum = 0;
@@ -85,7 +88,7 @@ TEST(WindingField, DecidesAsThePlainSumDoes) {
   for (const Mesh& mesh : meshes) {
     const std::vector<LatticeTriangle> triangles = on_lattice(mesh);
     for (const double threshold : {0.3, 0.5}) {
-      const WindingField field(triangles, threshold);
+      const WindingField field(triangles, threshold, kSpacing);
       int inside = 0;
       for (int i = 0; i < 2000; ++i) {
         const Vec3 p = random.point(0.1 * kLatticeSize, 0.9 * kLatticeSize);
@@ -99,13 +102,64 @@ TEST(WindingField, DecidesAsThePlainSumDoes) {
   }
 }
 
+// Points close together, for which boxes as small as they come are made.
+TEST(WindingField, ManyPointsInOneBoxAreEachSummedRight) {
+  Random random(4);
+  for (const Mesh& mesh :
+       {shapes::open(shapes::icosphere(4), 900), shapes::open(shapes::torus(), 300),
+        shapes::soup(shapes::jittered(shapes::soup(shapes::icosphere(3)), 0.05, 6))}) {
+    const std::vector<LatticeTriangle> triangles = on_lattice(mesh);
+    const WindingField field(triangles, 0.5, 64);
+    double squares = 0;
+    for (int place = 0; place < 40; ++place) {
+      const Vec3 middle = random.point(0.05 * kLatticeSize, 0.95 * kLatticeSize);
+      for (int i = 0; i < 10; ++i) {
+        const Vec3 p = middle + random.point(-200, 200);
+        const double expected = plain_winding(triangles, p);
+        const double error = field.excess(p) + 0.5 - expected;
+        EXPECT_LT(std::abs(error), 0.02);
+        squares += error * error;
+        EXPECT_NEAR(field.winding(p), expected, 0.025);
+      }
+    }
+    EXPECT_LT(std::sqrt(squares / 400), 0.006);
+  }
+}
+
+// What was asked before changes nothing.
+TEST(WindingField, TheOrderOfPointsDoesNotMatter) {
+  const std::vector<LatticeTriangle> triangles =
+      on_lattice(shapes::open(shapes::icosphere(3), 200));
+  std::vector<Vec3> points;
+  Random random(5);
+  for (int i = 0; i < 200; ++i) points.push_back(random.point(0, kLatticeSize));
+  const WindingField forwards(triangles, 0.5, 1000);
+  const WindingField backwards(triangles, 0.5, 1000);
+  std::vector<double> values;
+  for (const Vec3& p : points) values.push_back(forwards.excess(p));
+  for (std::size_t i = points.size(); i-- > 0;) EXPECT_EQ(backwards.excess(points[i]), values[i]);
+}
+
+// The part of all triangles that is summed for each of many points close to each other.
+TEST(WindingField, PointsCloseTogetherShareWhatIsFar) {
+  const std::vector<LatticeTriangle> triangles =
+      on_lattice(shapes::open(shapes::icosphere(5), 9000));
+  const WindingField field(triangles, 0.5, 64);
+  const Vec3 middle = to_vec3(triangles[0][0]) + Vec3(3000, 0, 0);
+  Random random(6);
+  const std::size_t before = field.work();
+  constexpr std::size_t kPoints = 500;
+  for (std::size_t i = 0; i < kPoints; ++i) field.excess(middle + random.point(-100, 100));
+  EXPECT_LT((field.work() - before) / kPoints, triangles.size() / 100);
+}
+
 // Grid vertices on faces, edges and corners are on the side that crossings say.
 TEST(WindingField, GridVerticesOfClosedSurfacesAreExact) {
   Random random(11);
   for (const Mesh& mesh : {shapes::cube(), shapes::stairs(4), shapes::nested_spheres(),
                            shapes::icosphere(1), shapes::face_to_face_cubes()}) {
     const std::vector<LatticeTriangle> triangles = on_lattice(mesh);
-    const WindingField field(triangles, 0.5);
+    const WindingField field(triangles, 0.5, kSpacing);
     const auto compare = [&](const LatticePoint& p) {
       EXPECT_EQ(field.inside(p), crossings_above(triangles, p) > 0)
           << p[0] << ' ' << p[1] << ' ' << p[2];
@@ -131,7 +185,7 @@ TEST(WindingField, GridVerticesOfClosedSurfacesAreExact) {
 
 TEST(WindingField, GradientPointsInwardsAtAHole) {
   const std::vector<LatticeTriangle> triangles = on_lattice(shapes::open(shapes::cube(), 2));
-  const WindingField field(triangles, 0.5);
+  const WindingField field(triangles, 0.5, kSpacing);
   // Whichever face is missing: along the line through its middle the field falls outwards.
   Vec3 missing = Vec3::Zero();
   for (const LatticeTriangle& t : triangles) {
@@ -147,18 +201,18 @@ TEST(WindingField, GradientPointsInwardsAtAHole) {
 
 TEST(WindingThreshold, KeepsWhatItCan) {
   const auto chosen = [](const Mesh& mesh) {
-    return WindingField(on_lattice(mesh), 0).threshold();
+    return WindingField(on_lattice(mesh), 0, kSpacing).threshold();
   };
   // As it is usual wherever that keeps all, or nothing does.
   EXPECT_EQ(chosen(shapes::cube()), 0.5);
   EXPECT_EQ(chosen(shapes::open(shapes::cube(), 2)), 0.5);
   EXPECT_EQ(chosen(shapes::merged({shapes::icosphere(2), shapes::icosphere(2, 0.5)})), 0.5);
-  EXPECT_EQ(WindingField({}, 0).threshold(), 0.5);
+  EXPECT_EQ(WindingField({}, 0, kSpacing).threshold(), 0.5);
   // Turned inwards, no side of a wall sees as much as half of its surroundings from behind.
   const Mesh room = shapes::inverted(shapes::open(shapes::cube(), 2));
   EXPECT_LT(chosen(room), 0.2);
   // And what is said counts.
-  EXPECT_EQ(WindingField(on_lattice(room), 0.7).threshold(), 0.7);
+  EXPECT_EQ(WindingField(on_lattice(room), 0.7, kSpacing).threshold(), 0.7);
 }
 
 std::array<Vec3, 3> seen_from(const Vec3& p, const LatticeTriangle& t) {
@@ -195,7 +249,7 @@ TEST(WindingField, SolidAnglesChangeAsTheirGradientSays) {
 TEST(WindingField, GradientIsThatOfAllTriangles) {
   const std::vector<LatticeTriangle> triangles =
       on_lattice(shapes::open(shapes::icosphere(4), 2560));
-  const WindingField field(triangles, 0.5);
+  const WindingField field(triangles, 0.5, kSpacing);
   Random random(9);
   for (int i = 0; i < 100; ++i) {
     const Vec3 p = random.point(0, kLatticeSize);
