@@ -7,6 +7,9 @@
 #include <unordered_set>
 #include <utility>
 
+#include "csg/grid_of_faces.h"
+#include "csg/open_parts.h"
+#include "csg/rough_look.h"
 #include "extract/keep_parts.h"
 #include "geometry/lattice.h"
 #include "inside/winding_field.h"
@@ -29,70 +32,58 @@ constexpr double kShareOfSome = 1;
 // their faces is new: it is what winding numbers see behind sheets that hardly bend, or cross.
 constexpr double kMostInvented = 0.5;
 
-// Parts, joined by sides that are opposite to each other.
-struct FaceParts {
-  std::vector<Index> of;  // per triangle
-  Marks open;             // per part: a side has no opposite
-
-  bool open_triangle(TriangleId t) const { return open.test(of[t]); }
-};
-
-FaceParts parts_of(const InputFaces& faces) {
-  FaceParts parts;
-  parts.of = find_parts(faces.topology);
-  parts.of.resize(faces.triangles.size(), 0);  // it is empty if there is but one part
-  const Index count = 1 + *std::max_element(parts.of.begin(), parts.of.end());
-  parts.open.assign(count);
-  for (SideId side = 0; side < faces.topology.opposite.size(); ++side) {
-    if (faces.topology.opposite[side] == kNone) parts.open.set(parts.of[triangle_of(side)]);
-  }
-  return parts;
-}
-
-// The open parts as a mesh over all points, and the part of each of its triangles.
-struct OpenMesh {
-  Mesh mesh;
-  std::vector<Index> part_of;
-};
-
-OpenMesh mesh_of_open(const InputFaces& faces, const FaceParts& parts) {
-  OpenMesh open;
-  open.mesh.positions = faces.points;
-  for (TriangleId t = 0; t < faces.triangles.size(); ++t) {
-    if (!parts.open_triangle(t)) continue;
-    open.mesh.triangles.push_back(faces.triangles[t]);
-    open.mesh.source_faces.push_back(faces.source_faces[t]);
-    open.part_of.push_back(parts.of[t]);
-  }
-  return open;
-}
+// A rough look at the open parts tells what is left out for sure.
+constexpr double kSurelyInvented = 0.75;
 
 // What was made of the open parts.
 struct Built {
   Mesh solid;
   GridStats stats;
-  InputReport report;
 };
 
-Built build(const Mesh& mesh, const BuildOptions& options, const Progress& progress) {
-  const Grid grid = build_grid(mesh, options, progress);
-  return {extract(grid), grid.stats(), grid.input()};
+Built build(InputFaces faces, const BuildOptions& options, const Progress& progress) {
+  if (faces.triangles.empty()) return {};
+  const Grid grid = grid_of_faces(std::move(faces), options, 1, 0, progress);
+  return {extract(grid), grid.stats()};
 }
 
-// Returns an empty solid if they enclose nothing.
-Built build_what_encloses(const Mesh& mesh, const BuildOptions& options,
-                          const Progress& progress) try {
-  Built built = build(mesh, options, progress);
-  drop_invented_parts(kMostInvented, built.solid);
-  return built;
-} catch (const Error& error) {
-  if (error.code() != ErrorCode::kNotClosed && error.code() != ErrorCode::kEmptyResult) throw;
-  return {};
+// Calls a function; what it makes is empty if it finds that the faces enclose nothing.
+template <typename Make>
+auto or_nothing(const Make& make) -> decltype(make()) {
+  try {
+    return make();
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::kNotClosed && error.code() != ErrorCode::kEmptyResult) throw;
+    return {};
+  }
+}
+
+// Drops the parts of which a rough look says that all that is made of their faces is mostly
+// invented.
+void drop_what_encloses_nothing(InputFaces& faces, const BuildOptions& options,
+                                const Progress& progress) {
+  if (faces.triangles.empty()) return;
+  Mesh solid = look_roughly(faces, options, progress);
+  const std::unordered_set<Index> made(solid.source_faces.begin(), solid.source_faces.end());
+  drop_invented_parts(kSurelyInvented, solid);
+  const std::unordered_set<Index> kept(solid.source_faces.begin(), solid.source_faces.end());
+  const FaceParts parts = parts_of(faces);
+  Marks goes(parts.open.size());
+  for (TriangleId t = 0; t < faces.triangles.size(); ++t) {
+    if (made.contains(faces.source_faces[t])) goes.set(parts.of[t]);
+  }
+  for (TriangleId t = 0; t < faces.triangles.size(); ++t) {
+    if (kept.contains(faces.source_faces[t])) goes.clear(parts.of[t]);
+  }
+  Marks dropped;
+  for (const Index part : parts.of) dropped.push_back(goes.test(part));
+  drop_faces(faces, dropped);
+  find_topology(faces);
 }
 
 // Marks the parts of which some triangle has a corner that is not inside of the faces, which are
 // closed.
-Marks find_uncovered(const OpenMesh& open, std::size_t parts, const InputFaces& faces) {
+Marks find_uncovered(const PartsMesh& open, std::size_t parts, const InputFaces& faces) {
   const Lattice lattice = lattice_over(faces.bounds);
   std::vector<LatticeTriangle> triangles;
   triangles.reserve(faces.triangles.size());
@@ -118,7 +109,7 @@ Marks find_uncovered(const OpenMesh& open, std::size_t parts, const InputFaces& 
 
 // Counts the open parts that were built, and those that are lost: nothing is left of their faces,
 // and they do not lie inside of others either.
-void count_parts(const OpenMesh& open, const FaceParts& parts, const InputFaces& faces,
+void count_parts(const PartsMesh& open, const FaceParts& parts, const InputFaces& faces,
                  InputReport& report) {
   const std::unordered_set<Index> left(faces.source_faces.begin(), faces.source_faces.end());
   Marks built(parts.open.size());
@@ -161,29 +152,33 @@ void insert(const Mesh& solid, InputFaces& faces) {
 
 }  // namespace
 
-bool some_part_is_closed(const InputFaces& faces) {
-  const FaceParts parts = parts_of(faces);
-  return parts.open.count() < parts.open.size();
-}
+bool some_part_is_closed(const InputFaces& faces) { return parts_of(faces).some_closed(); }
 
 double solidify_open_parts(InputFaces& faces, const BuildOptions& options,
                            const Progress& progress) {
   const FaceParts parts = parts_of(faces);
-  const OpenMesh open = mesh_of_open(faces, parts);
-  const bool all = open.part_of.size() == faces.triangles.size();
+  const PartsMesh open = mesh_of_parts(faces, parts, true);
+  const bool all = !parts.some_closed();
   BuildOptions own = options;
   own.minimum_thickness = own.minimum_gap = 0;
   if (!goes_by_tolerance(options)) own.strategy = SplitStrategy::kAdaptive;
   own.cells = 0;
   own.tolerance = (all ? kShareOfAll : kShareOfSome) * tolerance_of(options, faces.report.extent);
   own.relative_tolerance = BuildOptions().relative_tolerance;  // which does not count
-  const Built built =
-      all ? build(open.mesh, own, progress) : build_what_encloses(open.mesh, own, progress);
+  const auto prepare = [&] { return prepare_by_themselves(open.mesh, own); };
+  OpenParts rest = all ? prepare() : or_nothing(prepare);
+  const auto build_rest = [&] {
+    if (!all) drop_what_encloses_nothing(rest.faces, own, progress);
+    return build(std::move(rest.faces), own, progress);
+  };
+  Built built = all ? build_rest() : or_nothing(build_rest);
+  if (!all) drop_invented_parts(kMostInvented, built.solid);
   Marks open_triangles;
   for (TriangleId t = 0; t < faces.triangles.size(); ++t) {
     open_triangles.push_back(parts.open_triangle(t));
   }
   drop_faces(faces, open_triangles);
+  insert(rest.closed, faces);
   insert(built.solid, faces);
   faces.repair = false;
   faces.bounds = bounds_of(faces);
@@ -191,10 +186,11 @@ double solidify_open_parts(InputFaces& faces, const BuildOptions& options,
   tidy_closed_parts(faces);
   InputReport& report = faces.report;
   count_parts(open, parts, faces, report);
-  report.sewn_edges += built.report.sewn_edges;
-  report.sewing_distance = std::max(report.sewing_distance, built.report.sewing_distance);
-  report.patched_holes += built.report.patched_holes;
-  report.patch_area += built.report.patch_area;
+  const InputReport& done = rest.done;
+  report.sewn_edges += done.sewn_edges;
+  report.sewing_distance = std::max(report.sewing_distance, done.sewing_distance);
+  report.patched_holes += done.patched_holes;
+  report.patch_area += done.patch_area;
   report.rebuilding_tolerance = report.rebuilt_parts > 0 ? built.stats.tolerance : 0;
   return report.rebuilt_parts > 0 ? built.stats.winding_threshold : 0;
 }
