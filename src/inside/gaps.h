@@ -27,8 +27,9 @@ inline double widest_gap(double tolerance) { return std::max(4.0, tolerance / 32
 /// taken off.
 class GapRule {
  public:
-  /// The tolerance is in lattice units. Keeps a reference to the surface.
-  GapRule(const Surface& surface, double tolerance);
+  /// The tolerance is in lattice units. `turns_count` says whether it matters which way a part is
+  /// turned, so that one may be taken off another. Keeps a reference to the surface.
+  GapRule(const Surface& surface, double tolerance, bool turns_count);
 
   /// Gives the role `kGap` to the crossings of one edge along `axis` that leave the solid and enter
   /// it again, where the gap between them is closed, and the role `kSliver` to those that enter and

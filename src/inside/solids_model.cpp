@@ -16,7 +16,7 @@ namespace {
 class SolidsModel final : public InsideModel {
  public:
   SolidsModel(const Surface& surface, SolidStates states, double tolerance)
-      : surface_(surface), states_(std::move(states)), gaps_(surface, tolerance) {}
+      : surface_(surface), states_(std::move(states)), gaps_(surface, tolerance, true) {}
 
   std::optional<bool> is_inside(int state) const override { return states_.is_inside(state); }
 

@@ -24,7 +24,7 @@ class TwoWalls {
     edge.emplace_back(kStart, facing(1), 0, CrossingRole::kBounds, true);
     edge.emplace_back(kStart + static_cast<LinePosition>(gap / kFractionUnit), facing(-1), 1,
                       CrossingRole::kBounds, false);
-    GapRule(surface_, kTolerance).close(axis, edge);
+    GapRule(surface_, kTolerance, true).close(axis, edge);
     EXPECT_EQ(edge[0].role(), edge[1].role());
     return edge[0].role() == CrossingRole::kGap;
   }
