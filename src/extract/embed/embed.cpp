@@ -19,6 +19,7 @@
 #include "extract/dual/clearance.h"
 #include "extract/embed/crossing_pairs.h"
 #include "extract/embed/loop_position.h"
+#include "extract/embed/move_back.h"
 #include "extract/embed/nested_loops.h"
 #include "extract/embed/part_contacts.h"
 #include "extract/embed/restore.h"
@@ -82,7 +83,7 @@ class Rounds {
       report_progress(progress, 0.9 - 0.2 / (1 + round), "faces");
       crossing_pairs.update(mesh_, remake_part());
     }
-    move_loops_back(crossing_pairs);
+    move_back(crossing_pairs);
     const auto refined = std::count_if(levels_.hits.begin(), levels_.hits.end(),
                                        [](auto level) { return level != EmbedLevel::kTriangle; });
     return {std::move(mesh_), std::move(log_), static_cast<Index>(refined),
@@ -113,46 +114,48 @@ class Rounds {
   }
 
   // Moves vertices back to the planes of their hits, as far as nothing crosses for that.
-  void move_loops_back(CrossingPairs& crossing_pairs) {
-    Marks back(loops_.vertices());
-    std::vector<HitId> changed;
-    const auto put = [&](LoopId v, const Vec3& position) {
-      mesh_.position[v] = position;
-      for (const HalfEdgeId h : mesh_.ring(v)) changed.push_back(mesh_.hit[h / 3]);
-    };
-    for (const MovedLoop& moved : moved_off_) {
-      if (mesh_.first_half_edge[moved.loop] == kNone) continue;
-      if (mesh_.position[moved.loop] != moved.position) continue;  // it has moved since
-      back.set(moved.loop);
-      put(moved.loop, moved.nearest);
+  void move_back(CrossingPairs& crossing_pairs) {
+    std::erase_if(moved_off_, [&](const MovedVertex& moved) {
+      return mesh_.first_half_edge[moved.vertex] == kNone ||
+             mesh_.position[moved.vertex] != moved.position;  // it has moved since
+    });
+    move_unless_crossing(moved_off_, crossing_pairs, mesh_);
+    for (const double share : {1.0, 0.75, 0.5, 0.5, 0.5}) {
+      move_unless_crossing(part_of_the_way(share), crossing_pairs, mesh_);
     }
-    while (!changed.empty()) {
-      make_set(changed);
-      crossing_pairs.update(mesh_, changed);
-      changed.clear();
-      Marks crossing(loops_.vertices());
-      for (const TriangleId t : crossing_pairs.triangles()) {
-        for (HalfEdgeId h = 3 * t; h < 3 * t + 3; ++h) {
-          if (mesh_.vertex[h] < loops_.vertices()) crossing.set(mesh_.vertex[h]);
-        }
-      }
-      for (const MovedLoop& moved : moved_off_) {
-        if (!back.test(moved.loop) || !crossing.test(moved.loop)) continue;
-        back.clear(moved.loop);
-        put(moved.loop, moved.position);
+  }
+
+  // Returns the vertices that refining has moved off their planes, and where they would be the
+  // given share of the way back.
+  std::vector<MovedVertex> part_of_the_way(double share) const {
+    std::vector<MovedVertex> off =
+        find_links_off_planes(view_, loops_, kMostCentring * view_.grid.tolerance, mesh_);
+    for (const auto& [v, before] : raised_) {
+      if (mesh_.first_half_edge[v] == kNone) continue;
+      const Vec3& position = mesh_.position[v];
+      if (furthest_plane(view_, loops_, v, position) >
+          furthest_plane(view_, loops_, v, before) + on_planes()) {
+        off.push_back({v, position, before});
       }
     }
+    for (MovedVertex& moved : off) {
+      moved.better = rounded(moved.position + share * (moved.better - moved.position));
+    }
+    std::erase_if(off, [](const MovedVertex& moved) { return moved.better == moved.position; });
+    return off;
   }
 
   // Tells whether the loop's vertex lies on the plane of a hit of it, and the point does not.
   bool leaves_plane(LoopId v, const Vec3& point) const {
-    const double reach = kOnPlanes * view_.grid.tolerance;
+    const double reach = on_planes();
     for (const HalfEdgeId h : loops_.ring(v)) {
       const Plane& plane = view_.grid.plane_of(loops_.hit[h / 3]);
       if (plane.distance(loops_.position[v]) <= reach && plane.distance(point) > reach) return true;
     }
     return false;
   }
+
+  double on_planes() const { return kOnPlanes * view_.grid.tolerance; }
 
   // Returns the loop's position, at least so far off the sides of its leaf, or as far as the leaf's
   // size allows.
@@ -270,6 +273,9 @@ class Rounds {
     for (HalfEdgeId h = 3 * hit; h < 3 * hit + 3; ++h) {
       const LoopId v = loops_.vertex[h];
       if (levels_.loops[v] >= level) continue;
+      if (levels_.loops[v] < EmbedLevel::kOffSides && level >= EmbedLevel::kOffSides) {
+        raised_.emplace_back(v, loops_.position[v]);
+      }
       levels_.loops[v] = level;
       loops_.position[v] = rounded(loop_position(view_, loops_, v, level));
       remake_hits_round(v);
@@ -370,14 +376,9 @@ class Rounds {
   DualMesh mesh_;   // made from `loops_`
   EditLog log_;     // what was done to `mesh_`
   EmbedLevels levels_;
-  // Loops whose vertices were moved off sides and thus off the plane of a hit: where
-  // they were put, and where they would be as near to the sides as can be.
-  struct MovedLoop {
-    LoopId loop;
-    Vec3 position;
-    Vec3 nearest;
-  };
-  std::vector<MovedLoop> moved_off_;
+  std::vector<MovedVertex> moved_off_;  // off sides, and thus off the plane of a hit
+  std::vector<std::pair<LoopId, Vec3>>
+      raised_;                         // loops, and where they were before they were raised
   std::vector<HitId> hits_to_remake_;  // in the present round, some of them several times
 };
 
