@@ -8,6 +8,7 @@
 #include <new>
 #include <utility>
 
+#include "extract/drop_handles.h"
 #include "extract/dual/edit_log.h"
 #include "extract/dual/grid_view.h"
 #include "extract/embed/embed.h"
@@ -98,7 +99,8 @@ void check_for_sheet(const ExtractOptions& options) {
     throw Error(ErrorCode::kInvalidOption, "`parts`: only all for a sheet, which encloses nothing");
   }
   for (const auto& [name, size] : {std::pair("drop_parts", options.drop_parts),
-                                   std::pair("drop_cavities", options.drop_cavities)}) {
+                                   std::pair("drop_cavities", options.drop_cavities),
+                                   std::pair("drop_handles", options.drop_handles)}) {
     if (size == 0) continue;
     throw Error(ErrorCode::kInvalidOption,
                 compose("`{}`: not for a sheet, which encloses nothing", name));
@@ -120,6 +122,20 @@ void leave_parts_out(const GridData& grid, const ExtractOptions& options, Extrac
   if (some_went && out.report.crossings.value_or(0) > 0) {
     out.report.crossings = find_self_intersections(out).pairs;  // some went with the parts
   }
+}
+
+// Removes small handles of a solid's mesh. Vertices are moved within the tolerance, if there is
+// one.
+void leave_handles_out(const GridData& grid, const ExtractOptions& options,
+                       const Progress& progress, ExtractedMesh& out) {
+  const HandleSettings settings{.smaller_than = options.drop_handles,
+                                .shift = grid.tolerance > 0
+                                             ? grid.tolerance * grid.lattice.step
+                                             : std::numeric_limits<double>::infinity(),
+                                .single = options.strict == Strict::kEmbedded};
+  const DroppedHandles handles = drop_handles(settings, progress, out);
+  out.report.small_handles = handles.dropped;
+  out.report.kept_handles = handles.kept;
 }
 
 // Throws if nothing is left, with what to do about it.
@@ -193,6 +209,7 @@ ExtractedMesh extract(const Grid& handle, const ExtractOptions& wanted,
   }
   if (!grid.sheet) leave_parts_out(grid, options, out);
   check_not_empty(grid, out);
+  if (options.drop_handles > 0) leave_handles_out(grid, options, progress, out);
   out.warnings = collect_warnings(grid.input, grid.stats, out.report, area_of(out));
   report_progress(progress, 1.0, "faces");
   return out;

@@ -58,6 +58,16 @@ void warn_of_losses(const InputReport& input, const GridStats& grid, const Extra
                                       count(report.small_cavities, "cavity was", "cavities were"),
                                       rounded(report.small_cavities_volume)));
   }
+  if (report.small_handles > 0) {
+    to.add("HANDLES_REMOVED", compose("{} closed or cut as smaller than asked for",
+                                      count(report.small_handles, "handle was", "handles were")));
+  }
+  if (report.kept_handles > 0) {
+    to.add("HANDLES_KEPT", compose("{} smaller than asked for, but nothing closes {} without "
+                                   "meeting the surface",
+                                   count(report.kept_handles, "handle is", "handles are"),
+                                   report.kept_handles == 1 ? "it" : "them"));
+  }
 }
 
 void warn_of_exactness(const InputReport& input, const GridStats& grid, const ExtractReport& report,

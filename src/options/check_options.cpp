@@ -117,6 +117,8 @@ void check_combination(const ExtractOptions& options, const IsGiven& given) {
   demand({{"strict", !options.quads || options.strict != Strict::kEmbedded,
            "not embedded together with `quads`"},
           {"link_error", !options.quads, "not together with `quads`"},
+          {"drop_handles", !options.quads, "not together with `quads`"},
+          {"drop_handles", options.strict != Strict::kOff, "not together with `strict` off"},
           {"crease_angle", options.normals, "only with `normals`"}},
          given);
 }
@@ -146,6 +148,7 @@ void check_options(const ExtractOptions& options) {
   check_combination(options, [&](std::string_view name) {
     if (name == "strict") return options.strict != standard.strict;
     if (name == "link_error") return options.link_error != standard.link_error;
+    if (name == "drop_handles") return options.drop_handles != standard.drop_handles;
     return options.crease_angle != standard.crease_angle;
   });
 }

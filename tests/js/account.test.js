@@ -91,6 +91,23 @@ test('what is thinner than asked for goes, gaps are filled, and all of it is tol
   expect(joined.report.warnings.map(({ code }) => code)).toContain('GAPS_FILLED');
 });
 
+test('handles smaller than asked for go, and how many is told', async () => {
+  const ring = torus();
+  const { mesh, report } = await makeManifold(ring, { tolerance: 0.01, dropHandles: 100 });
+  expect(faults(mesh)).toEqual([]);
+  expect(report.output).toMatchObject({
+    components: 1,
+    eulerCharacteristic: 2,
+    smallHandles: 1,
+    keptHandles: 0,
+    twoManifold: true,
+    crossings: 0,
+  });
+  expect(report.warnings.map(({ code }) => code)).toEqual(['HANDLES_REMOVED']);
+  const kept = await makeManifold(ring, { tolerance: 0.01, dropHandles: 0.1 });
+  expect(kept.report.output).toMatchObject({ eulerCharacteristic: 0, smallHandles: 0 });
+});
+
 test('walls within the solid are not lost', async () => {
   const input = together(cube(), cube(2, [1, 1, 1]));
   const { report } = await makeManifold(input, { check: true });

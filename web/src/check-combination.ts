@@ -71,6 +71,8 @@ const extractRules: Rule<ExtractOptions>[] = [
     'not embedded together with `quads`',
   ],
   ['linkError', ({ quads = false }) => quads, 'not together with `quads`'],
+  ['dropHandles', ({ quads = false }) => quads, 'not together with `quads`'],
+  ['dropHandles', ({ strict }) => strict === 'off', 'not together with `strict` off'],
   ['creaseAngle', ({ normals = false }) => !normals, 'only with `normals`'],
 ];
 

@@ -151,6 +151,13 @@ export interface ExtractOptions {
    */
   dropCavities?: number;
   /**
+   * Close tunnels and cut bridges of the result smaller than this, in model units. The size is the
+   * length of the shortest closed path round a bridge or along the wall of a tunnel: of a round
+   * hole its circumference. It is closed or cut at its narrowest place. Not for sheets, nor with
+   * `quads`, nor with `strict` off. 0, the default: none.
+   */
+  dropHandles?: number;
+  /**
    * What the result must be as an index mesh:
    * - `off`: the raw dual surface, whose half-edges are manifold but not its vertex numbers
    * - `manifold`: 2-manifold: vertices are added where two parts of the surface would share an
@@ -281,6 +288,7 @@ export const extractOptions: OptionTable<ExtractOptions> = {
   parts: { flag: '--parts', kind: 'choice', words: ['all', 'outer', 'largest'], default: 'all' },
   dropParts: { flag: '--drop-parts', kind: 'number', least: 0, default: 0 },
   dropCavities: { flag: '--drop-cavities', kind: 'number', least: 0, default: 0 },
+  dropHandles: { flag: '--drop-handles', kind: 'number', least: 0, default: 0 },
   strict: {
     flag: '--strict',
     kind: 'choice',

@@ -176,6 +176,13 @@ export interface ExtractReport {
   smallCavities: number;
   /** Volume filled with them. In cubic model units. */
   smallCavitiesVolume: number;
+  /** Handles removed because of `dropHandles`. */
+  smallHandles: number;
+  /**
+   * Handles smaller than `dropHandles` that are still there, since nothing closes them without
+   * meeting the surface.
+   */
+  keptHandles: number;
   /** Slivers beside closed holes that were left out. */
   droppedCrumbs: number;
   /**
@@ -368,6 +375,13 @@ export interface OutputReport {
   smallCavities: number;
   /** Volume filled with them. In cubic model units. */
   smallCavitiesVolume: number;
+  /** Handles removed because of `dropHandles`. */
+  smallHandles: number;
+  /**
+   * Handles smaller than `dropHandles` that are still there, since nothing closes them without
+   * meeting the surface.
+   */
+  keptHandles: number;
   /** Slivers beside closed holes that were left out. */
   droppedCrumbs: number;
   /**
@@ -508,6 +522,8 @@ export const outputKeys = [
   'smallPartsVolume',
   'smallCavities',
   'smallCavitiesVolume',
+  'smallHandles',
+  'keptHandles',
   'droppedCrumbs',
   'inventedArea',
   'crossings',

@@ -130,6 +130,8 @@ export interface Warning {
     | 'PARTS_LOST'
     | 'PARTS_DROPPED'
     | 'CAVITIES_FILLED'
+    | 'HANDLES_REMOVED'
+    | 'HANDLES_KEPT'
     | 'THIN_REMOVED'
     | 'GAPS_FILLED'
     | 'TOLERANCE_WIDENED'

@@ -70,6 +70,12 @@ struct ExtractOptions {
   /// Fills cavities smaller than this, with what lies in them; their size is measured as that of
   /// parts. Not negative; 0 fills none. Not for sheets.
   double drop_cavities = 0;
+  /// Removes handles smaller than this: tunnels are closed by a wall, bridges cut through, at their
+  /// narrowest place. The size of a handle is the length of the shortest closed path on the surface
+  /// that goes round it or through its tunnel, along edges, in model units: of a round hole its
+  /// circumference. Not negative; 0 removes none. Not for sheets, nor with `quads`, nor with
+  /// `strict` off.
+  double drop_handles = 0;
   /// Gives every corner of the faces a normal for shading, from the input's normals at the hits.
   /// The mesh itself stays the same: vertices on a crease are not doubled.
   bool normals = false;
@@ -96,6 +102,10 @@ struct ExtractReport {
   double small_parts_volume = 0;  ///< volume that was taken away with them, in cubic model units
   Index small_cavities = 0;  ///< cavities filled because of `drop_cavities`, with what lay in them
   double small_cavities_volume = 0;  ///< volume that was filled with them, in cubic model units
+  Index small_handles = 0;           ///< handles removed because of `drop_handles`
+  /// Handles smaller than `drop_handles` that are still there, since nothing closes them without
+  /// meeting the surface.
+  Index kept_handles = 0;
   Index dropped_crumbs = 0;  ///< parts thinner than the tolerance, beside closed holes, left out
   /// Area, in square model units, of the faces that stand for no input face but close a hole. Their
   /// entry in `source_faces` is kNone.

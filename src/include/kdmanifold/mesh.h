@@ -16,7 +16,8 @@ struct Mesh {
   /// Where each face comes from: one entry a triangle, then one a quad, or empty. After
   /// `read_mesh`: the file's face (from 0) that the triangle was cut from. After `extract`: the
   /// entry of the input triangle that the face stands for, or, if the input had no such list, the
-  /// number of that triangle; kNone for faces that close a hole.
+  /// number of that triangle; kNone for faces that close a hole or
+  /// the rims where a handle was cut.
   std::vector<Index> source_faces;
   /// Unit normals for shading, or empty: three a triangle in the order of its corners, then four a
   /// quad. `extract` makes them on request; of the file formats, OBJ keeps them.

@@ -305,6 +305,16 @@ void for_each_field(Options& options, Visit&& visit) {
                                "becomes solid too. Not for sheets.",
                     .unit = Unit::kModelUnits},
         options.drop_cavities);
+  visit(OptionField{.name = "drop_handles",
+                    .letter = "S",
+                    .help = "close tunnels and cut bridges of the result smaller than this",
+                    .zero = "none",
+                    .details = "The size is the length of the shortest closed path round a bridge "
+                               "or along the wall of a tunnel: of a round hole its circumference. "
+                               "It is closed or cut at its narrowest place. Not for sheets, nor "
+                               "with `quads`, nor with `strict` off.",
+                    .unit = Unit::kModelUnits},
+        options.drop_handles);
   visit(OptionField{.name = "strict", .help = "what the result must be as an index mesh"},
         options.strict);
   visit(OptionField{.name = "normals",

@@ -202,6 +202,13 @@ void for_each_field(const ExtractReport& report, Visit&& visit) {
         report.small_cavities);
   visit(ReportField{"small_cavities_volume", "Volume filled with them", Unit::kModelVolume},
         report.small_cavities_volume);
+  visit(ReportField{"small_handles", "Handles removed because of `drop_handles`"},
+        report.small_handles);
+  visit(
+      ReportField{"kept_handles",
+                  "Handles smaller than `drop_handles` that are still there, since nothing closes "
+                  "them without meeting the surface"},
+      report.kept_handles);
   visit(ReportField{"dropped_crumbs", "Slivers beside closed holes that were left out"},
         report.dropped_crumbs);
   visit(ReportField{"invented_area",

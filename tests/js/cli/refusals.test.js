@@ -231,6 +231,10 @@ const wrong = [
     'a.obj: --dropCavities: not for a sheet, which encloses nothing',
   ],
   [
+    ['a.obj', '--quads', '--strict', 'manifold', '--drop-handles', '1'],
+    '--drop-handles: not together with --quads',
+  ],
+  [
     ['a.obj', '--drop-parts', '100'],
     'a.obj: all parts of the result are smaller than --drop-parts',
   ],

@@ -160,6 +160,8 @@ export const helpText = [
   '                            default: none)',
   '  --drop-cavities S         fill cavities of the result smaller than this (model units; 0, the',
   '                            default: none)',
+  '  --drop-handles S          close tunnels and cut bridges of the result smaller than this (model',
+  '                            units; 0, the default: none)',
   '  --strict off|manifold|embedded',
   '                            what the result must be as an index mesh (default embedded)',
   '                              off: the raw dual surface, whose half-edges are manifold but not its',
