@@ -120,7 +120,9 @@ void Collapser::push(SideId edge, CollapsePlace place) {
   }
   const Vec3 along =
       piece_.positions[piece_.mesh.end(edge)] - piece_.positions[piece_.mesh.start(edge)];
-  const double cost = error + kLengthWeight * sum.weight() * along.squaredNorm();
+  double cost = error + kLengthWeight * sum.weight() * along.squaredNorm();
+  // Nothing else bounds the distance of small areas: what is far off costs more there than by area.
+  if (!piece_.distance && sum.weight() > 0) cost /= std::sqrt(sum.weight());
   queue_.push({static_cast<float>(cost), edge, version_[edge], place});
 }
 

@@ -53,11 +53,12 @@ struct ReducedMesh : Mesh {
 };
 
 /// Collapses edges, the cheapest first: where the sum of squared distances to the planes of the
-/// triangles that a vertex stands for stays least (M. Garland, P. Heckbert, 1997). Every step is
-/// taken only if the mesh stays 2-manifold with the same parts and Euler characteristic, no
-/// triangle meets another one where they share neither vertex nor edge, none is turned over, and,
-/// with `error`, new triangles are near to the reference and the reference is near to them. The
-/// latter is tested at points: vertices, middles of edges and of triangles.
+/// triangles that a vertex stands for, times their areas, stays least (M. Garland, P. Heckbert,
+/// 1997); without `error` that sum is divided by the root of the area. Every step is taken only if
+/// the mesh stays 2-manifold with the same parts and Euler characteristic, no triangle meets
+/// another one where they share neither vertex nor edge, none is turned over, and, with `error`,
+/// new triangles are near to the reference and the reference is near to them. The latter is tested
+/// at points: vertices, middles of edges and of triangles.
 ///
 /// `mesh` must be 2-manifold; a sheet may have a boundary, of which edges are collapsed along it
 /// alone, so that it keeps its loops. What meets itself already may

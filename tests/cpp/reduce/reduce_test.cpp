@@ -143,6 +143,18 @@ TEST(Reduce, MeasuresLevelsWhereThereIsSomethingToMeasure) {
   EXPECT_TRUE(reduce({}, {}, {.target_triangles = {10}}).levels[0].triangles.empty());
 }
 
+// A ball a twentieth as large as another has a 400th of the area; by area alone it is left with 48
+// triangles of 4,000, and further off, for its size, than is needed.
+TEST(Reduce, LeavesSmallPartsTheirShareByCount) {
+  const Mesh balls = shapes::merged(
+      {shapes::icosphere(5), shapes::translated(shapes::icosphere(3, 0.05), Vec3(3, 0, 0))});
+  const ReducedMesh few = reduce(balls, balls, {.target_triangles = {4000}});
+  int of_the_small_one = 0;
+  for (const Triangle& t : few.triangles) of_the_small_one += few.positions[t[0]].x() > 2 ? 1 : 0;
+  EXPECT_GT(of_the_small_one, 64);
+  EXPECT_EQ(few.triangles.size(), 4000u);
+}
+
 TEST(Reduce, StopsAtTheErrorBeforeTheNumber) {
   const Mesh sphere = shapes::icosphere(3);
   const ReducedMesh kept = reduce(sphere, sphere, {.error = 0.01, .target_triangles = {4}});
