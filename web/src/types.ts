@@ -64,6 +64,8 @@ export interface PolygonMeshInput extends MeshInput {
   quads?: WholeNumbers | null;
   /** Unit normals for shading, three numbers per corner of a triangle, then of a quad. */
   cornerNormals?: Float32Array | readonly number[] | null;
+  /** Of a Boolean operation's result: the operand behind each face, as `Mesh.sourceOperands`. */
+  sourceOperands?: WholeNumbers | null;
 }
 
 /** A mesh as the library gives it: copies that the caller owns. */

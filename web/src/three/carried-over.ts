@@ -6,21 +6,27 @@ import { KdManifoldError } from '../errors.js';
 import { tabulate, type Column } from './columns.js';
 import { hasSource, withoutInvented } from './invented.js';
 import { cornersOf, geometryOf, sameNormal } from './own-vertices.js';
+import { joinOperands, sourcesInAll, type Transforms } from './operands.js';
 import type { Triangles } from './polygons.js';
-import type { SourcedMesh } from './source.js';
+import { checkSourced, type SourcedMesh } from './source.js';
 import { splitVertices } from './split.js';
 import { Transfer } from './transfer.js';
 
-/** Makes the geometry; `attributes` null: all that can be carried over. */
+/**
+ * Makes the geometry of a result of one mesh or, as an array, of the operands of a Boolean operation; `attributes`
+ * null: all that can be carried over.
+ */
 export function carriedOver(
   triangles: Triangles,
-  from: SourcedMesh,
+  given: SourcedMesh | readonly SourcedMesh[],
+  transforms: Transforms,
   attributes: string[] | null,
   seamTolerance: number,
 ): BufferGeometry {
   const { positions, normals } = triangles;
   const corners = cornersOf(triangles);
-  const sources = withoutInvented(sourcesOf(triangles, corners.length / 3, from), corners);
+  const { from, known } = sourcesOf(triangles, corners.length / 3, given, transforms);
+  const sources = withoutInvented(known, corners);
   const table = tabulate(from.source, from.positions.length / 3, attributes);
   const transfer =
     table.width > 0
@@ -43,14 +49,30 @@ export function carriedOver(
   return geometry;
 }
 
-function sourcesOf({ sourceFaces }: Triangles, triangles: number, from: SourcedMesh): Uint32Array {
+/** What the triangles were made of, and which of its triangles each of them stands for. */
+function sourcesOf(
+  { sourceFaces, sourceOperands }: Triangles,
+  triangles: number,
+  given: SourcedMesh | readonly SourcedMesh[],
+  transforms: Transforms,
+): { from: SourcedMesh; known: Uint32Array } {
   const fail = (message: string): never => {
     throw new KdManifoldError('INVALID_MESH', message);
   };
   if (sourceFaces === null) return fail('the mesh has no sourceFaces, which `from` needs');
-  if (sourceFaces.length !== triangles) {
-    fail(`sourceFaces: length ${sourceFaces.length}, but there are ${triangles} triangles`);
+  for (const [name, { length }] of Object.entries({
+    sourceFaces,
+    ...(sourceOperands && { sourceOperands }),
+  })) {
+    if (length !== triangles) {
+      fail(`${name}: length ${length}, but there are ${triangles} triangles`);
+    }
   }
+  if (isList(given)) {
+    const { from, firstTriangles } = joinOperands(given, transforms);
+    return { from, known: sourcesInAll(sourceFaces, sourceOperands, firstTriangles) };
+  }
+  const from = checkSourced(given);
   const count = from.source.materialIndices.length;
   for (let t = 0; t < triangles; ++t) {
     const source = sourceFaces[t] as number;
@@ -58,8 +80,11 @@ function sourcesOf({ sourceFaces }: Triangles, triangles: number, from: SourcedM
       fail(`sourceFaces[${t}] is ${source}, but \`from\` has only ${count} triangles`);
     }
   }
-  return sourceFaces;
+  return { from, known: sourceFaces };
 }
+
+const isList = (given: SourcedMesh | readonly SourcedMesh[]): given is readonly SourcedMesh[] =>
+  Array.isArray(given);
 
 const wholeArrays = {
   Int8Array,

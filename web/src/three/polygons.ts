@@ -11,6 +11,8 @@ export interface Triangles {
   normals: Float32Array | null;
   /** One per triangle. */
   sourceFaces: Uint32Array | null;
+  /** One per triangle; of Boolean operations only. */
+  sourceOperands: Uint32Array | null;
 }
 
 // The corners of a quad, in the order in which its two triangles use them.
@@ -23,10 +25,11 @@ export function triangulate(mesh: PolygonMeshInput): Triangles {
   const indices = drawable(mesh.indices ?? null);
   const normals = mesh.cornerNormals ?? null;
   const cornerNormals = normals && isPlain(normals) ? Float32Array.from(normals) : normals;
-  const sources = mesh.sourceFaces ?? null;
-  const sourceFaces =
-    sources && !(sources instanceof Uint32Array) ? Uint32Array.from(sources) : sources;
-  if (quads === null) return { positions, index: indices, normals: cornerNormals, sourceFaces };
+  const sourceFaces = wholeNumbers(mesh.sourceFaces);
+  const sourceOperands = wholeNumbers(mesh.sourceOperands);
+  if (quads === null) {
+    return { positions, index: indices, normals: cornerNormals, sourceFaces, sourceOperands };
+  }
   const first = indices?.length ?? 0;
   const index = new Uint32Array(first + (quads.length / 4) * 6);
   if (indices !== null) index.set(indices);
@@ -38,10 +41,16 @@ export function triangulate(mesh: PolygonMeshInput): Triangles {
     index,
     normals: cornerNormals && withQuadNormals(cornerNormals, 3 * first, quads.length / 4),
     sourceFaces: sourceFaces && withQuadSources(sourceFaces, first / 3, quads.length / 4),
+    sourceOperands: sourceOperands && withQuadSources(sourceOperands, first / 3, quads.length / 4),
   };
 }
 
 const isPlain = (array: ArrayLike<number>): array is readonly number[] => Array.isArray(array);
+
+function wholeNumbers(given: WholeNumbers | null | undefined): Uint32Array | null {
+  if (!given) return null;
+  return given instanceof Uint32Array ? given : Uint32Array.from(given);
+}
 
 // WebGL draws with no others.
 const drawable = (indices: WholeNumbers | null): Uint16Array | Uint32Array | null =>

@@ -7,13 +7,18 @@ import { carriedOver } from './carried-over.js';
 import { checkKeys, kindOf } from './kinds.js';
 import { cornersOf, geometryOf, sameNormal } from './own-vertices.js';
 import { triangulate, type Triangles } from './polygons.js';
-import { checkSourced, type SourcedMesh } from './source.js';
+import type { SourcedMesh } from './source.js';
 import { splitVertices } from './split.js';
 
 /** What `toBufferGeometry` can be told. */
 export interface ToBufferGeometryOptions {
-  /** What the mesh was made of: its attributes and groups are carried over. */
-  from?: SourcedMesh;
+  /**
+   * What the mesh was made of: its attributes and groups are carried over. Of a Boolean operation an array, with the
+   * operands as they were given.
+   */
+  from?: SourcedMesh | readonly SourcedMesh[];
+  /** The option `transforms` that the Boolean operation had, if it had any. Only with an array. */
+  transforms?: readonly (ArrayLike<number> | null | undefined)[] | null;
   /** Which attributes are carried over (default: all that mean something on another surface). */
   attributes?: string[];
   /**
@@ -44,10 +49,15 @@ export interface ToBufferGeometryOptions {
  *   option `normals`), "tangent" (call `computeTangents()`), "skinIndex" and "skinWeight" (the pose is
  *   applied) and morph targets.
  *
+ * With an array, the parts of a Boolean operation's result have the attributes and materials of the operands that they
+ * are of, cut faces too: those of the operand that cuts. Materials that several operands have are one. Where operands
+ * are geometries alone, the numbers of materials of each come after those of the operands before it, which counts as
+ * one if it has no groups.
+ *
  * Borders between materials and seams run along the edges of the mesh: where its triangles are larger
  * than those of the source, they are as coarse as these.
  *
- * @param mesh - A result, or any mesh; with `from` one with `sourceFaces`.
+ * @param mesh - A result, or any mesh; with `from` one with `sourceFaces`, with an array one with `sourceOperands` too.
  * @param options - Where attributes and groups are to come from, and which.
  * @returns A new geometry. With groups, its triangles are in the order of their materials.
  * @throws KdManifoldError `INVALID_MESH` if the mesh was not made of `from`, or an attribute cannot be
@@ -63,16 +73,19 @@ export function toBufferGeometry(
   mesh: PolygonMeshInput,
   options: ToBufferGeometryOptions = {},
 ): BufferGeometry {
-  checkKeys(options, ['from', 'attributes', 'seamTolerance']);
-  const { from, attributes = null, seamTolerance = 1e-4 } = options;
+  checkKeys(options, ['from', 'transforms', 'attributes', 'seamTolerance']);
+  const { from, transforms = null, attributes = null, seamTolerance = 1e-4 } = options;
   checkAttributes(attributes);
   checkTolerance(seamTolerance);
   if (!ArrayBuffer.isView((mesh as PolygonMeshInput | null)?.positions)) {
     throw new KdManifoldError('INVALID_MESH', `mesh: it has no positions, got ${kindOf(mesh)}`);
   }
+  if (transforms !== null && !Array.isArray(from)) {
+    throw new KdManifoldError('INVALID_OPTION', 'transforms: only with an array of operands');
+  }
   const triangles = triangulate(mesh);
   if (from !== undefined) {
-    return carriedOver(triangles, checkSourced(from), attributes, seamTolerance);
+    return carriedOver(triangles, from, transforms, attributes, seamTolerance);
   }
   if (triangles.normals !== null) return withNormals(triangles, triangles.normals);
   const { positions, index } = triangles;

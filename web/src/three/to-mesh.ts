@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Objects to be put into a scene.
 import { Mesh } from 'three';
+import type { Material } from 'three';
 import type { PolygonMeshInput, Report } from '../types.js';
 import { checkKeys } from './kinds.js';
 import { checkSourced, type SourcedMesh } from './source.js';
@@ -24,7 +25,7 @@ export interface ToMeshOptions extends Omit<ToBufferGeometryOptions, 'from'> {
  * `error` and `warnings` of it: files of the scene keep them.
  *
  * @param mesh - A result that has `sourceFaces`.
- * @param from - What it was made of.
+ * @param from - What it was made of; of a Boolean operation an array, with the operands as they were given.
  * @param options - Those of `toBufferGeometry` but `from`, and `report`.
  * @returns A new `Mesh` of three.js, with one material or an array of them.
  * @throws KdManifoldError As `toBufferGeometry` does.
@@ -38,12 +39,12 @@ export interface ToMeshOptions extends Omit<ToBufferGeometryOptions, 'from'> {
  */
 export function toMesh(
   mesh: PolygonMeshInput,
-  from: SourcedMesh,
+  from: SourcedMesh | readonly SourcedMesh[],
   options: ToMeshOptions = {},
 ): Mesh {
-  checkKeys(options, ['attributes', 'seamTolerance', 'report']);
+  checkKeys(options, ['transforms', 'attributes', 'seamTolerance', 'report']);
   const { report, ...others } = options;
-  const { materials } = checkSourced(from).source;
+  const materials = materialsOf(from);
   const geometry = toBufferGeometry(mesh, { ...others, from });
   if (!geometry.hasAttribute('normal')) geometry.computeVertexNormals();
   const object =
@@ -52,6 +53,12 @@ export function toMesh(
       : new Mesh(geometry, geometry.groups.length > 0 ? materials : materials[0]);
   if (report) object.userData.kdmanifold = accountOf(report);
   return object;
+}
+
+function materialsOf(from: SourcedMesh | readonly SourcedMesh[]): Material[] {
+  if (!Array.isArray(from)) return checkSourced(from as SourcedMesh).source.materials;
+  const operands = from as readonly SourcedMesh[];
+  return [...new Set(operands.flatMap((operand) => checkSourced(operand).source.materials))];
 }
 
 // Without the faces, which would fill files and mean nothing in another scene.
