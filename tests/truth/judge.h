@@ -21,6 +21,8 @@ enum Check : std::size_t {
   kMissing,     ///< a point of the solid's surface is further than that from the result
   kSilent,      ///< wrong volume or missing surface, and no warning
   kAccount,     ///< area is said to be lost, and none is; or `error` is less than the check finds
+  kInexact,     ///< of an expression: the volume is off by more than 1e-4 of itself and an eighth
+                ///< of tolerance x area
   kChecks
 };
 
@@ -43,7 +45,8 @@ struct Verdict {
   bool right() const { return failed.none() && topology_right; }
 };
 
-/// Builds the grid, extracts with `manifold` and `embedded`, and checks both results.
+/// Builds the grid, extracts with `manifold` and `embedded`, and checks both results; of an
+/// expression, that of `boolean` too.
 Verdict judge(const Solid& solid);
 
 }  // namespace kdm::truth

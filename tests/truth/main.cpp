@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // kdm_truth [--minutes M] [--kind KIND] [--seed SEED] [--count N] [--write FILE.obj]
 // Random solids against their exact account, from a seed on (1); 2,000 of them unless minutes or a
-// count are given. With a kind and a seed alone: that solid in words, and its input as a file.
+// count are given. With a kind and a seed alone: that solid in words, and its input as a file; of
+// an expression the operands, as FILE_0.obj and so on.
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <fstream>
 #include <iomanip>
@@ -50,6 +52,32 @@ void write_obj(const std::string& path, const Mesh& mesh) {
   if (!file.flush()) throw std::runtime_error("cannot write '" + path + "'");
 }
 
+// In words that JavaScript takes.
+std::string text_of(const Expression& expression) {
+  constexpr std::array<const char*, 5> kNames = {"", "union", "intersection", "symmetricDifference",
+                                                 "complement"};
+  std::vector<std::string> texts;
+  for (const auto& [kind, first, second] : expression.nodes()) {
+    if (kind == Expression::Kind::kOperand) {
+      texts.push_back(std::to_string(first));
+      continue;
+    }
+    const std::string name = kNames[static_cast<std::size_t>(kind)];
+    const std::string rest = second == kNone ? "" : ", " + texts[second];
+    texts.push_back("['" + name + "', " + texts[first] + rest + "]");
+  }
+  return texts.back();
+}
+
+// Writes the input; of an expression each operand, with its number before the name's ending.
+void write_input(const std::string& path, const Solid& solid) {
+  if (!solid.expression) return write_obj(path, solid.input);
+  const std::size_t dot = std::min(path.rfind('.'), path.size());
+  for (std::size_t i = 0; i < solid.operands.size(); ++i) {
+    write_obj(path.substr(0, dot) + '_' + std::to_string(i) + path.substr(dot), solid.operands[i]);
+  }
+}
+
 std::ostream& operator<<(std::ostream& out, const AllowedTopology& allowed) {
   for (const auto& [parts, euler] : allowed.any_of) out << " (" << parts << ", " << euler << ")";
   if (!allowed.ranges) return out;
@@ -66,7 +94,8 @@ int show_one(const std::string& kind, std::uint32_t seed, const std::string& pat
             << solid.tolerance << std::setprecision(6) << "\naccount: volume " << account.volume
             << ", area " << area_of(account.boundary) << ", contacts " << account.contacts
             << ", parts and characteristic" << account.topology << '\n';
-  if (!path.empty()) write_obj(path, solid.input);
+  if (solid.expression) std::cout << "expression: " << text_of(*solid.expression) << '\n';
+  if (!path.empty()) write_input(path, solid);
   const Verdict verdict = judge(solid);
   std::cout << verdict.words << (verdict.right() ? "right\n" : "not right\n");
   return verdict.right() ? 0 : 1;

@@ -58,5 +58,6 @@ Solid make_voxels(Random& random);
 Solid make_spun(Random& random);
 Solid make_wire(Random& random);
 Solid make_sound(Random& random);
+Solid make_expression(Random& random);
 
 }  // namespace kdm::truth

@@ -3,6 +3,7 @@
 #include "truth/solid.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -24,7 +25,7 @@ const std::vector<Kind>& makers() {
       {"doubled", make_doubled},   {"open", make_open},
       {"torn", make_torn},         {"voxels", make_voxels},
       {"spun", make_spun},         {"wire", make_wire},
-      {"sound", make_sound},
+      {"sound", make_sound},       {"expression", make_expression},
   };
   return list;
 }
@@ -60,8 +61,12 @@ void put_somewhere(Solid& solid, Random& random) {
   if (draw == 5) by = by * random_shear(random);
   by *= scale;
   const Vec3 to = random.point(-10, 10) * scale;
-  for (Vec3& p : solid.input.positions) p = by * p + to;
-  for (Vec3& p : solid.account.boundary.positions) p = by * p + to;
+  const auto put = [&](Mesh& mesh) {
+    for (Vec3& p : mesh.positions) p = by * p + to;
+  };
+  put(solid.input);
+  put(solid.account.boundary);
+  std::for_each(solid.operands.begin(), solid.operands.end(), put);
   solid.account.volume *= by.determinant();
   solid.tolerance *= scale;
   solid.slack *= 1.5 * scale;  // a shear may stretch

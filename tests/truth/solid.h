@@ -3,18 +3,23 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "kdmanifold/expression.h"
 #include "truth/account.h"
 
 namespace kdm::truth {
 
 struct Solid {
   std::string variant;  ///< which of the ways to make its kind
-  Mesh input;           ///< whatever state its kind is in
-  Account account;      ///< of the solid that it stands for
+  Mesh input;           ///< whatever state its kind is in; of an expression all operands together
+  /// Of Boolean operations: the solids, and what is made of them.
+  std::vector<Mesh> operands;
+  std::optional<Expression> expression;
+  Account account;  ///< of the solid that it stands for
   /// What the topology may be besides if it is turned: rounded, sides that lie on each other and
   /// have no corners in common are up to a step of the lattice apart or in each other.
   std::set<Topology> apart;

@@ -44,6 +44,8 @@ const std::vector<Share> kShares = {
     // What is thinner than the tolerance.
     {"thin", 60, {kMissing}},
     {"wire", 24, {}},
+    // Ends of prisms in cells of many triangles.
+    {"expression", 250, {kFar, kMissing}},
 };
 
 class Truth : public testing::TestWithParam<Share> {};
