@@ -136,9 +136,10 @@ class AdaptiveRule : public SplitRule {
 
   std::optional<Split> choose_by_pieces(const CellView& cell, bool small, bool topology_first) {
     const bool some_cross = surface_in_cell_.crossings.some_dropped() && leave_inner_out(cell);
-    // Where pieces touch on an edge of the cell, loops lead from one to the other; and so may what
-    // closes two pieces that end in the cell.
-    const bool shells_cross = some_cross || surface_in_cell_.crossings.has_touches ||
+    // Where pieces touch on an edge of the cell, or a gap between them is closed there, loops lead
+    // from one to the other; and so may what closes two pieces that end in the cell.
+    const CellCrossings& crossings = surface_in_cell_.crossings;
+    const bool shells_cross = some_cross || crossings.has_touches || crossings.has_gaps ||
                               (surface_.repair && surface_in_cell_.several_pieces_have_rims());
     const LeafVertices vertices =
         shells_cross ? LeafVertices::kOneForAll : LeafVertices::kOneEachPiece;
@@ -157,8 +158,8 @@ class AdaptiveRule : public SplitRule {
         contact_points_.exist_in(surface_in_cell_, shells_cross)) {
       return split_for_fit(cell);
     }
-    if (shells_cross || surface_in_cell_.crossings.has_gaps) return leave_unresolved(cell);
-    if (surface_in_cell_.crossings.some_dropped()) return std::nullopt;
+    if (shells_cross) return leave_unresolved(cell);
+    if (crossings.some_dropped()) return std::nullopt;
     if (topology_.is_surely_embedded(surface_in_cell_) || !triangles_cross()) return std::nullopt;
     // Shells cross between the cell's edges, so that no crossing was dropped.
     const bool fits = small || fit_.pieces_fit(surface_in_cell_, LeafVertices::kOneForAll);
@@ -181,6 +182,9 @@ class AdaptiveRule : public SplitRule {
       }
     } else if (some_cross && surface_in_cell_.triangles.size() <= kManyTriangles) {
       inner_triangles_.find(surface_in_cell_, cell.state, crossing);
+    } else if (some_cross) {
+      // Too many to be looked at: any of what crosses may bound the solid.
+      surface_in_cell_.inner.assign(surface_in_cell_.triangles.size(), {});
     }
     must_bound_.assign(pieces.all().size());
     for (MemberId m = 0; counts_states_ && m < surface_in_cell_.triangles.size(); ++m) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "split/inner_triangles.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -11,6 +12,9 @@ namespace {
 
 // Points are moved by this part of the way from a corner to the middle, off the edges.
 constexpr double kInset = 1.0 / 16;
+// Of a part that is less wide, lattice units, these points are too near to its edges to speak for
+// other triangles.
+constexpr double kLeastWidth = 64;
 
 // Tells whether the point lies before the triangle: on the side that its normal points to.
 bool lies_before(const LatticeTriangle& t, const LatticePoint& p) {
@@ -19,6 +23,18 @@ bool lies_before(const LatticeTriangle& t, const LatticePoint& p) {
   for (int i = 0; i < 3; ++i) height += normal[i] * (p[i] - t[0][i]);
   for (int i = 0; i < 3 && height == 0; ++i) height = normal[i];  // grid points are shifted upwards
   return height > 0;
+}
+
+// Tells whether the polygon is wide enough to speak for others.
+bool is_wide(const ClippedPolygon& polygon) {
+  Vec3 area = Vec3::Zero();
+  double longest = 0;
+  for (int i = 1; i < polygon.size; ++i) {
+    const Vec3 side = polygon.corners[i] - polygon.corners[0];
+    longest = std::max(longest, side.norm());
+    if (i + 1 < polygon.size) area += side.cross(polygon.corners[i + 1] - polygon.corners[0]);
+  }
+  return area.norm() > kLeastWidth * longest;
 }
 
 LatticePoint nearest_in(const LatticeBox& box, const Vec3& point) {
@@ -39,15 +55,21 @@ void InnerTriangles::find(CellSurface& surface_in_cell, int state, const Marks& 
   surface_in_cell.inner.assign(cell.size(), {});
   find_members_apart(crossing);
   line_members_.list(cell);
+  answer_of_.assign(cell.size(), std::nullopt);
   for (MemberId m = 0; m < cell.size(); ++m) {
-    InnerPart& inner = surface_in_cell.inner[m];
     const bool apart = !apart_.empty() && groups_.contains(m);
-    if (apart && groups_.lowest(m) != m) {
-      inner = surface_in_cell.inner[groups_.lowest(m)];
-    } else {
-      look_at(m, inner);
+    if (!apart) {
+      look_at(m, surface_in_cell.inner[m]);
+      continue;
     }
-    if (apart) inner.corners = inner.all ? ~0u : 0;
+    std::optional<bool>& answer = answer_of_[groups_.lowest(m)];
+    if (!answer) {
+      InnerPart inner;
+      if (look_at(m, inner)) answer = inner.all;
+    }
+  }
+  for (const MemberId m : apart_) {
+    if (answer_of_[groups_.lowest(m)].value_or(false)) surface_in_cell.inner[m] = {~0u, true};
   }
   for (const CellCrossing& crossing_of_edge : surface_in_cell.crossings.all) {
     const MemberId m = cell.member_of(crossing_of_edge.triangle);
@@ -55,14 +77,14 @@ void InnerTriangles::find(CellSurface& surface_in_cell, int state, const Marks& 
   }
 }
 
-// Looks at a member by itself.
-void InnerTriangles::look_at(MemberId member, InnerPart& inner) const {
+// Looks at a member by itself. Returns whether it may speak for others that it hangs together with.
+bool InnerTriangles::look_at(MemberId member, InnerPart& inner) const {
   if (surface_.degenerate.test(cell_->triangle(member))) {
     inner.all = true;
-    return;
+    return false;
   }
   const ClippedPolygon part = clip_to_box(cell_->corners(member), cell_->cell());
-  if (part.size == 0) return;
+  if (part.size == 0) return false;
   Vec3 middle = Vec3::Zero();
   for (int i = 0; i < part.size; ++i) middle += part.corners[i];
   middle /= part.size;
@@ -73,6 +95,7 @@ void InnerTriangles::look_at(MemberId member, InnerPart& inner) const {
     inner.corners |= nothing ? 1u << i : 0;
     inner.all = inner.all && nothing;
   }
+  return is_wide(part);
 }
 
 void InnerTriangles::find_members_apart(const Marks& crossing) {

@@ -3,6 +3,9 @@
 // union of the shells.
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "inside/inside_model.h"
 #include "split/cell_surface.h"
 #include "split/line_members.h"
@@ -23,7 +26,8 @@ class InnerTriangles {
 
   /// Looks at all members of a cell and writes `cell.inner`. `state` is that of the cell's lowest
   /// corner, `crossing` marks the members that cross others. Of several solids, members that hang
-  /// together and are near no other solid have one answer. Takes time quadratic in the number of
+  /// together and are near no other solid have one answer, that of the first which is wide enough
+  /// in the cell. Takes time quadratic in the number of
   /// members.
   void find(CellSurface& cell, int state, const Marks& crossing);
 
@@ -31,7 +35,7 @@ class InnerTriangles {
   // How far beside a triangle the states are looked at, lattice units: rounding moves by less.
   static constexpr double kBeside = 2;
 
-  void look_at(MemberId member, InnerPart& inner) const;
+  bool look_at(MemberId member, InnerPart& inner) const;
   void find_members_apart(const Marks& crossing);
   bool near_another_solid(MemberId member) const;
   bool bounds_nothing(MemberId member, const Vec3& point) const;
@@ -43,8 +47,9 @@ class InnerTriangles {
   InsideModel& model_;
   double reach_;
   const CellTriangles* cell_ = nullptr;
-  std::vector<MemberId> apart_;  // that cross nothing and are near no other solid
-  MemberGroups groups_;          // of these
+  std::vector<MemberId> apart_;                 // that cross nothing and are near no other solid
+  MemberGroups groups_;                         // of these
+  std::vector<std::optional<bool>> answer_of_;  // per lowest member of such a group: all are inner
   LineMembers line_members_;
   int state_ = 0;
 };
