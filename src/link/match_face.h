@@ -40,6 +40,8 @@ class SolidMatcher {
 
  private:
   void pair_hits(const MinimalFace& face, const std::vector<OutlineHit>& outline, FaceMatch& match);
+  bool enters(const OutlineHit& h) const;
+  Index stretch_inside(const std::vector<OutlineHit>& outline, Index i, Index j) const;
   std::vector<Index> pair_neighbours(const std::vector<OutlineHit>& outline, bool inside) const;
   void keep_rims(const MinimalFace& face, const std::vector<OutlineHit>& outline, FaceMatch& match);
 

@@ -62,25 +62,39 @@ void SolidMatcher::pair_hits(const MinimalFace& face, const std::vector<OutlineH
   // A traced pair costs nothing. To part one costs more than any deviation, which is a few squared
   // extents of the lattice at most, about 1e13.
   constexpr double kParting = 1e30;
+  // Where traces do not decide, solids cross and what is inside touches itself, as that of a
+  // symmetric difference does. It is parted there, all along the curve.
+  constexpr double kContact = 1e15;
+  const bool part = surface_.several_solids() && pairing_ == Pairing::kTrace;
   match.partner = match_without_crossings(count, [&](Index i, Index j) {
     if (!compatible(outline[i], outline[j])) return std::numeric_limits<double>::infinity();
     if (traced[i] == j) return 0.0;
     if (traced[i] != kNone || traced[j] != kNone) return kParting;
-    return deviation(tangents_[i], tangents_[j]);
+    const double off = deviation(tangents_[i], tangents_[j]);
+    return part ? kContact * stretch_inside(outline, i, j) + off : off;
   });
   match.guessed = pairing_ == Pairing::kTrace && match.partner != traced;
+}
+
+// Tells whether the outline, followed in cyclic order, enters the solid at the hit. Where it runs
+// up the grid edge it does so at hits that are not leaving; where it runs down, at hits that are.
+bool SolidMatcher::enters(const OutlineHit& h) const {
+  return grid_.hits[h.hit].leaving() != h.ascending;
+}
+
+// Of two hits of which the outline enters the solid at one and leaves it at the other, returns how
+// many hits it is from the one to the other. The sum over all pairs is least where consecutive
+// hits, the ends of stretches inside the solid, are paired.
+Index SolidMatcher::stretch_inside(const std::vector<OutlineHit>& outline, Index i, Index j) const {
+  const auto count = static_cast<Index>(outline.size());
+  return enters(outline[i]) ? (j + count - i) % count : (i + count - j) % count;
 }
 
 // Pairs consecutive hits, the ends of stretches of the outline inside the solid, or outside of it.
 std::vector<Index> SolidMatcher::pair_neighbours(const std::vector<OutlineHit>& outline,
                                                  bool inside) const {
   std::vector<bool> opens;
-  for (const OutlineHit& h : outline) {
-    // Where the outline runs up the grid edge it enters the solid at hits that are not leaving;
-    // where it runs down, at hits that are.
-    const bool enters = grid_.hits[h.hit].leaving() != h.ascending;
-    opens.push_back(enters == inside);
-  }
+  for (const OutlineHit& h : outline) opens.push_back(enters(h) == inside);
   return match_brackets(opens);
 }
 
