@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // `npm run figures -- DIR [--section NAME]... [--judge COMMAND] [--json FILE]`
 // What must hold, and how far it goes, on the models of a folder. Sections: manifold (the default),
-// embedded, pairing, extraction, quality, comparison, corner, slope, memory, repair, damage, hostile;
-// or all. Each is a file in `figures/`.
+// embedded, pairing, extraction, quality, comparison, corner, slope, memory, repair, damage, hostile,
+// solids; or all. Each is a file in `figures/`.
 // The judge is a further program that knows nothing of the library: it gets a mesh file (and
 // `--ref INPUT`) and prints JSON. Exit status 1 if a figure does not hold.
 import { writeFileSync } from 'node:fs';
@@ -22,6 +22,7 @@ const sections = [
   'repair',
   'damage',
   'hostile',
+  'solids',
 ];
 const options = commandLine({
   section: { type: 'string', multiple: true, default: ['manifold'] },
