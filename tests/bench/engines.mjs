@@ -98,6 +98,14 @@ export async function manifold3d(mesh, { union = false } = {}) {
   }
 }
 
+/** Reduces a closed mesh within a distance; seconds are processor time. */
+export async function withinError(mesh, error) {
+  const kdm = await load();
+  const start = now();
+  const { mesh: few } = kdm.simplifyMesh(mesh, { error });
+  return { mesh: few, seconds: now() - start };
+}
+
 /** Reduces a closed mesh by count, by each of those who can; seconds are processor time. */
 export const reducers = {
   async kdmanifold(mesh, triangles) {
