@@ -26,9 +26,8 @@ bool is_far(const WindingTree::Dipole& dipole, double distance, double reach) {
   if (least <= 0 || least * least <= dipole.far) return false;
   const double cubed = reach * reach * reach;
   const double square = least * least;
-  const double left_out =
-      cubed / (std::numbers::pi * square * square * least) *
-      (dipole.area.norm() + 5 * dipole.first.norm() / least);
+  const double left_out = cubed / (std::numbers::pi * square * square * least) *
+                          (dipole.area.norm() + 5 * dipole.first.norm() / least);
   return left_out <= kLeftOutOfBox;
 }
 

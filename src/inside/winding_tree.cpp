@@ -41,7 +41,8 @@ double spread_of(const LatticeTriangle& t) {
 // Returns the squared distance beyond which a series may be used, from the integral of the squared
 // offset. The third derivatives of 1/r are at most 6/r^4; half of that is left out, over 4 pi.
 double far_from(double radius, double second) {
-  const double distance = radius + std::sqrt(std::sqrt(3.0 / (4.0 * std::numbers::pi) * second / kLeftOut));
+  const double distance =
+      radius + std::sqrt(std::sqrt(3.0 / (4.0 * std::numbers::pi) * second / kLeftOut));
   return distance * distance;
 }
 
