@@ -54,7 +54,7 @@ std::optional<LinkPlace> place_of(const GridView& view, VertexId loops, const Du
 
 void move_unless_crossing(const std::vector<MovedVertex>& moved, CrossingPairs& crossing_pairs,
                           DualMesh& mesh) {
-  std::vector<char> has_moved(moved.size(), 1);
+  Marks stays(moved.size());  // where it was
   std::vector<HitId> changed;
   const auto put = [&](VertexId v, const Vec3& position) {
     mesh.position[v] = position;
@@ -70,8 +70,8 @@ void move_unless_crossing(const std::vector<MovedVertex>& moved, CrossingPairs& 
       for (HalfEdgeId h = 3 * t; h < 3 * t + 3; ++h) crossing.set(mesh.vertex[h]);
     }
     for (std::size_t i = 0; i < moved.size(); ++i) {
-      if (has_moved[i] == 0 || !crossing.test(moved[i].vertex)) continue;
-      has_moved[i] = 0;
+      if (stays.test(i) || !crossing.test(moved[i].vertex)) continue;
+      stays.set(i);
       put(moved[i].vertex, moved[i].position);
     }
   }
