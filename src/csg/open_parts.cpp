@@ -21,13 +21,6 @@ void append(const Mesh& more, Mesh& mesh) {
                            more.source_faces.end());
 }
 
-void count(const InputReport& more, InputReport& done) {
-  done.sewn_edges += more.sewn_edges;
-  done.sewing_distance = std::max(done.sewing_distance, more.sewing_distance);
-  done.patched_holes += more.patched_holes;
-  done.patch_area += more.patch_area;
-}
-
 }  // namespace
 
 FaceParts parts_of(const InputFaces& faces) {
@@ -54,15 +47,11 @@ PartsMesh mesh_of_parts(const InputFaces& faces, const FaceParts& parts, bool op
   return taken;
 }
 
-Mesh without(const Marks& left_out, const PartsMesh& parts) {
-  Mesh rest;
-  rest.positions = parts.mesh.positions;
-  for (std::size_t t = 0; t < parts.part_of.size(); ++t) {
-    if (left_out.test(parts.part_of[t])) continue;
-    rest.triangles.push_back(parts.mesh.triangles[t]);
-    rest.source_faces.push_back(parts.mesh.source_faces[t]);
-  }
-  return rest;
+void add_repairs(const InputReport& more, InputReport& sum) {
+  sum.sewn_edges += more.sewn_edges;
+  sum.sewing_distance = std::max(sum.sewing_distance, more.sewing_distance);
+  sum.patched_holes += more.patched_holes;
+  sum.patch_area += more.patch_area;
 }
 
 OpenParts prepare_by_themselves(Mesh open, const BuildOptions& options) {
@@ -75,7 +64,7 @@ OpenParts prepare_by_themselves(Mesh open, const BuildOptions& options) {
       result.faces = {};
       break;
     }
-    count(result.faces.report, result.done);
+    add_repairs(result.faces.report, result.done);
     const FaceParts parts = parts_of(result.faces);
     if (result.faces.repair && !parts.some_closed()) break;
     append(mesh_of_parts(result.faces, parts, false).mesh, result.closed);

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "kdmanifold/build.h"
-#include "kdmanifold/progress.h"
 #include "mesh/marks.h"
 #include "prepare/faces.h"
 
@@ -31,8 +30,8 @@ struct PartsMesh {
 /// Returns the parts whose flag in `parts.open` is `open`.
 PartsMesh mesh_of_parts(const InputFaces& faces, const FaceParts& parts, bool open);
 
-/// Returns the parts that are not marked.
-Mesh without(const Marks& left_out, const PartsMesh& parts);
+/// Adds how much was sewn and patched to another report.
+void add_repairs(const InputReport& more, InputReport& sum);
 
 /// What is made of open parts.
 struct OpenParts {

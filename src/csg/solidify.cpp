@@ -59,11 +59,12 @@ auto or_nothing(const Make& make) -> decltype(make()) {
 }
 
 // Drops the parts of which a rough look says that all that is made of their faces is mostly
-// invented.
+// invented. Where it sees nothing that is enclosed, it says nothing: within the tolerance there may
+// be something.
 void drop_what_encloses_nothing(InputFaces& faces, const BuildOptions& options,
                                 const Progress& progress) {
   if (faces.triangles.empty()) return;
-  Mesh solid = look_roughly(faces, options, progress);
+  Mesh solid = or_nothing([&] { return look_roughly(faces, options, progress); });
   const std::unordered_set<Index> made(solid.source_faces.begin(), solid.source_faces.end());
   drop_invented_parts(kSurelyInvented, solid);
   const std::unordered_set<Index> kept(solid.source_faces.begin(), solid.source_faces.end());
@@ -186,11 +187,7 @@ double solidify_open_parts(InputFaces& faces, const BuildOptions& options,
   tidy_closed_parts(faces);
   InputReport& report = faces.report;
   count_parts(open, parts, faces, report);
-  const InputReport& done = rest.done;
-  report.sewn_edges += done.sewn_edges;
-  report.sewing_distance = std::max(report.sewing_distance, done.sewing_distance);
-  report.patched_holes += done.patched_holes;
-  report.patch_area += done.patch_area;
+  add_repairs(rest.done, report);
   report.rebuilding_tolerance = report.rebuilt_parts > 0 ? built.stats.tolerance : 0;
   return report.rebuilt_parts > 0 ? built.stats.winding_threshold : 0;
 }

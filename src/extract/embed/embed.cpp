@@ -377,8 +377,8 @@ class Rounds {
   EditLog log_;     // what was done to `mesh_`
   EmbedLevels levels_;
   std::vector<MovedVertex> moved_off_;  // off sides, and thus off the plane of a hit
-  std::vector<std::pair<LoopId, Vec3>>
-      raised_;                         // loops, and where they were before they were raised
+  // Loops, and where they were before they were raised.
+  std::vector<std::pair<LoopId, Vec3>> raised_;
   std::vector<HitId> hits_to_remake_;  // in the present round, some of them several times
 };
 
