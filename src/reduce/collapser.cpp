@@ -24,6 +24,10 @@ constexpr double kAsGood = 1e-10;
 constexpr double kHopeless = 2;
 // A triangle may turn by some 78 degrees in one step.
 constexpr double kLeastCosine = 0.2;
+// Where the planes are off by no more than this part of the distance allowed, the surface is flat.
+constexpr double kFlat = 0.3;
+// Triangles that are turned by more than some 45 degrees make a fold.
+constexpr double kFolded = 0.7;
 constexpr Index kStepsPerReport = 1024;
 
 Vec3 rounded_to_single(const Vec3& p) { return p.cast<float>().cast<double>(); }
@@ -43,12 +47,13 @@ Collapser::Collapser(Workpiece& piece)
       centre_(centre_of_all(piece.positions)),
       version_(3 * std::size_t{piece.mesh.triangles()}, 0),
       failed_(version_.size()),
+      waiting_(version_.size()),
       seen_(piece.positions.size(), 0) {
   if (piece.distance) smooth_.emplace(piece, piece.distance->creases);
   add_quadrics();
   if (lines_.any()) add_line_quadrics();
   for (SideId h = 0; h < version_.size(); ++h) {
-    if (!piece_.mesh.is_removed(triangle_of(h)) && piece_.mesh.edge(h) == h) consider(h);
+    if (is_edge(h)) consider(h);
   }
 }
 
@@ -124,6 +129,10 @@ void Collapser::push(SideId edge, CollapsePlace place) {
   // Nothing else bounds the distance of small areas: what is far off costs more there than by area.
   if (!piece_.distance && sum.weight() > 0) cost /= std::sqrt(sum.weight());
   queue_.push({static_cast<float>(cost), edge, version_[edge], place});
+}
+
+bool Collapser::is_edge(SideId side) const {
+  return !piece_.mesh.is_removed(triangle_of(side)) && piece_.mesh.edge(side) == side;
 }
 
 void Collapser::consider(SideId edge) {
@@ -204,14 +213,33 @@ bool Collapser::keeps_shape() const {
   return worst >= kLeastShape || worst >= worst_before;
 }
 
-// Tells whether the ring has a vertex round which nothing may meet.
+// Tells whether some triangle of the ring, as it is or as it would be, is turned by more than some
+// 45 degrees against the mean of those that there would be.
+bool Collapser::is_folded() const {
+  Vec3 mean = Vec3::Zero();
+  for (const RingTriangle& t : ring_.triangles) {
+    mean += doubled_area_vector(ring_.point, t.from_point, t.to_point);
+  }
+  const double least = kFolded * kFolded * mean.squaredNorm();
+  const auto is_turned = [&](const Vec3& area) {
+    const double along = area.dot(mean);
+    return !(along > 0 && along * along >= least * area.squaredNorm());
+  };
+  return std::any_of(ring_.triangles.begin(), ring_.triangles.end(), [&](const RingTriangle& t) {
+    return is_turned(doubled_area_vector(ring_.point, t.from_point, t.to_point)) ||
+           is_turned(doubled_area_vector(t.old_point, t.from_point, t.to_point));
+  });
+}
+
+// Tells whether the step is to be held against the rest of the mesh.
 bool Collapser::is_guarded() const {
   if (!piece_.guard) return false;
   if (!piece_.guarded) return true;
   const Marks& marked = *piece_.guarded;
   return marked.test(ring_.kept) || marked.test(ring_.removed) ||
          std::any_of(ring_.triangles.begin(), ring_.triangles.end(),
-                     [&](const RingTriangle& t) { return marked.test(t.from); });
+                     [&](const RingTriangle& t) { return marked.test(t.from); }) ||
+         (piece_.distance && is_folded());
 }
 
 Collapser::Verdict Collapser::try_step(SideId edge, CollapsePlace place) {
@@ -256,20 +284,45 @@ void Collapser::step(SideId edge) {
 void Collapser::retry_edges_at(VertexId v) {
   piece_.mesh.for_each_edge(v, [&](SideId edge) {
     if (!failed_.test(edge)) return;
+    // Within a distance most fail again, so they wait until no other edge is left. On lines and in
+    // flat parts, which go first, few do.
+    if (!piece_.distance || lines_.is_line(edge) || is_flat(edge)) {
+      ++version_[edge];
+      consider(edge);
+    } else if (!waiting_.test_and_set(edge)) {
+      waiting_edges_.push_back(edge);
+    }
+  });
+}
+
+bool Collapser::is_flat(SideId edge) const {
+  const ErrorQuadric sum = quadric_of(edge);
+  const double limit = kFlat * limit_of(edge);
+  for (const VertexId v : {piece_.mesh.start(edge), piece_.mesh.end(edge)}) {
+    if (sum.error(piece_.positions[v] - centre_) <= limit * limit * sum.weight()) return true;
+  }
+  return false;
+}
+
+// Tells whether some edge is worth another try.
+bool Collapser::retry_waiting_edges() {
+  for (const SideId edge : waiting_edges_) {
+    waiting_.clear(edge);
+    if (!failed_.test(edge) || !is_edge(edge)) continue;
     ++version_[edge];
     consider(edge);
-  });
+  }
+  waiting_edges_.clear();
+  return !queue_.empty();
 }
 
 void Collapser::collapse_to(Index triangles, const std::function<void()>& between) {
   Index steps = 0;
-  while (!queue_.empty() && piece_.mesh.living_triangles() > triangles) {
+  while (piece_.mesh.living_triangles() > triangles) {
+    if (queue_.empty() && !retry_waiting_edges()) break;
     const Candidate next = queue_.pop();
     const SideId edge = next.edge;
-    if (next.version != version_[edge] || piece_.mesh.is_removed(triangle_of(edge)) ||
-        piece_.mesh.edge(edge) != edge) {
-      continue;
-    }
+    if (next.version != version_[edge] || !is_edge(edge)) continue;
     if (steps++ % kStepsPerReport == 0) between();
     const Verdict verdict = try_step(edge, next.place);
     if (verdict == Verdict::kDone) continue;

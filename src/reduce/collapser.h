@@ -32,6 +32,7 @@ class Collapser {
 
   void add_quadrics();
   void add_line_quadrics();
+  bool is_edge(SideId side) const;  // and the one by which the edge is known
   void consider(SideId edge);
   void push(SideId edge, CollapsePlace place);
   Vec3 point_of(SideId edge, CollapsePlace place, const ErrorQuadric& sum) const;
@@ -42,8 +43,11 @@ class Collapser {
   void make_ring(SideId edge, const Vec3& point);
   bool keeps_shape() const;
   bool is_guarded() const;
+  bool is_folded() const;
   void step(SideId edge);
   void retry_edges_at(VertexId v);
+  bool is_flat(SideId edge) const;
+  bool retry_waiting_edges();
 
   Workpiece& piece_;
   std::optional<SmoothTest> smooth_;  // if a distance is kept
@@ -51,9 +55,11 @@ class Collapser {
   std::vector<ErrorQuadric> quadric_;  // per vertex, relative to centre_
   Vec3 centre_;
   CollapseQueue queue_;
-  std::vector<Index> version_;  // per half-edge
-  Marks failed_;                // per half-edge: no place for its vertex was found
-  std::vector<Index> seen_;     // per vertex: the last stamp it got
+  std::vector<Index> version_;         // per half-edge
+  Marks failed_;                       // per half-edge: no place for its vertex was found
+  Marks waiting_;                      // per half-edge: is one of `waiting_edges_`
+  std::vector<SideId> waiting_edges_;  // they failed, and their surroundings have changed since
+  std::vector<Index> seen_;            // per vertex: the last stamp it got
   Index stamp_ = 0;
   CollapseRing ring_;
   Index collapses_ = 0;

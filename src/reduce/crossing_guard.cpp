@@ -20,12 +20,16 @@ constexpr double kRounding = 1e-14;
 
 double one_norm(const Vec3& v) { return v.cwiseAbs().sum(); }
 
+// Returns the box round a triangle, an empty one if it was removed.
+SmallBox box_of(const HalfEdges& mesh, const std::vector<Vec3>& positions, TriangleId t) {
+  if (mesh.is_removed(t)) return {};
+  const Triangle c = mesh.corners(t);
+  return small_box(positions[c[0]], positions[c[1]], positions[c[2]]);
+}
+
 std::vector<SmallBox> boxes_of(const HalfEdges& mesh, const std::vector<Vec3>& positions) {
   std::vector<SmallBox> boxes(mesh.triangles());
-  for (TriangleId t = 0; t < mesh.triangles(); ++t) {
-    const Triangle c = mesh.corners(t);
-    boxes[t] = small_box(positions[c[0]], positions[c[1]], positions[c[2]]);
-  }
+  for (TriangleId t = 0; t < mesh.triangles(); ++t) boxes[t] = box_of(mesh, positions, t);
   return boxes;
 }
 
@@ -35,6 +39,7 @@ CrossingGuard::CrossingGuard(const HalfEdges& mesh, const std::vector<Vec3>& pos
     : mesh_(mesh),
       positions_(positions),
       tree_(boxes_of(mesh, positions)),
+      is_put_off_(mesh.triangles()),
       rebuild_below_(static_cast<Index>(kWorn * mesh.triangles())),
       replaced_(mesh.triangles()),
       simple_(positions.size()) {}
@@ -98,6 +103,7 @@ bool CrossingGuard::surely_apart(const Planned& t, const Triangle& other) const 
 // Tells whether the planned triangles meet each other or others; `beside` is one near to them.
 // Those round a vertex that is marked simple need no test against each other.
 bool CrossingGuard::planned_meet(bool simple_inside, TriangleId beside) {
+  catch_up();
   SmallBox all;
   for (std::size_t i = 0; i < planned_.size(); ++i) {
     const Planned& t = planned_[i];
@@ -177,16 +183,25 @@ bool CrossingGuard::would_meet(const std::array<TriangleId, 2>& places,
   return meet;
 }
 
-void CrossingGuard::changed(TriangleId t) {
-  const Triangle c = mesh_.corners(t);
-  tree_.change(t, small_box(positions_[c[0]], positions_[c[1]], positions_[c[2]]));
-}
+void CrossingGuard::changed(TriangleId t) { put_off(t); }
 
 void CrossingGuard::collapsed(const CollapseRing& ring) {
-  for (const TriangleId t : ring.gone) tree_.change(t, {});
-  for (const RingTriangle& t : ring.triangles) {
-    tree_.change(t.number, small_box(ring.point, t.from_point, t.to_point));
+  for (const TriangleId t : ring.gone) put_off(t);
+  for (const RingTriangle& t : ring.triangles) put_off(t.number);
+}
+
+// Many triangles change several times before the tree is asked again.
+void CrossingGuard::put_off(TriangleId t) {
+  if (!is_put_off_.test_and_set(t)) put_off_.push_back(t);
+}
+
+// Brings the tree up to date.
+void CrossingGuard::catch_up() {
+  for (const TriangleId t : put_off_) {
+    is_put_off_.clear(t);
+    tree_.change(t, box_of(mesh_, positions_, t));
   }
+  put_off_.clear();
   if (mesh_.living_triangles() >= rebuild_below_) return;
   tree_.rebuild();
   rebuild_below_ = static_cast<Index>(kWorn * mesh_.living_triangles());

@@ -31,9 +31,6 @@ class CrossingGuard {
   /// Makes known that a triangle's corners are others now.
   void changed(TriangleId t);
 
-  /// Returns the triangles whose boxes meet the box of a sphere.
-  const TriangleTree& tree() const { return tree_; }
-
  private:
   struct Planned {
     Triangle numbers;
@@ -42,6 +39,8 @@ class CrossingGuard {
     Vec3 doubled_area;
   };
 
+  void put_off(TriangleId t);
+  void catch_up();
   void plan(const Triangle& numbers, const std::array<Vec3, 3>& corners);
   bool is_simple(const CollapseRing& ring);
   bool is_simple(const CollapseRing& ring, VertexId v);
@@ -54,7 +53,9 @@ class CrossingGuard {
 
   const HalfEdges& mesh_;
   const std::vector<Vec3>& positions_;
-  TriangleTree tree_;
+  TriangleTree tree_;  // as it was before the triangles put off were changed
+  Marks is_put_off_;   // per triangle
+  std::vector<TriangleId> put_off_;
   Index rebuild_below_ = 0;  // living triangles at which the tree is built anew
   Marks replaced_;           // per triangle: takes no part, because a planned one replaces it
   std::vector<Planned> planned_;

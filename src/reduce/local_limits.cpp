@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Looks from each vertex inwards for a wall that faces the other way.
+// Looks from each vertex inwards and outwards for a wall that faces the other way.
 #include "reduce/local_limits.h"
 
 #include <algorithm>
@@ -17,17 +17,27 @@ constexpr double kShares = 8;
 // Walls face away from each other if their normals enclose more than some 143 degrees: the two
 // sides of a sharp edge are no wall.
 constexpr double kOpposite = -0.8;
+// What is less than this many times the error away is near. There, normals that enclose more than
+// some 107 degrees will do, so that tips count.
+constexpr double kNarrow = 4;
+constexpr double kAcross = -0.3;
 // How many times its distance from the reference a vertex may have.
 constexpr double kSlack = 4;
 // A line that passes a triangle nearer than this part of the error hits it.
 constexpr double kBeside = 0.1;
 
-class ThicknessSearch {
+// The walls across from a vertex.
+struct Walls {
+  double thickness;  // the way through the solid to the wall behind it
+  bool narrow;       // whether one is near, behind or before it
+};
+
+class WallSearch {
  public:
-  ThicknessSearch(const ScaledMesh& mesh, const Reference& surface, double reach)
+  WallSearch(const ScaledMesh& mesh, const Reference& surface, double error)
       : mesh_(mesh),
         surface_(surface),
-        reach_(reach),
+        error_(error),
         vertex_normals_(mesh.positions.size(), Vec3::Zero()),
         triangle_at_(mesh.positions.size(), kNone) {
     face_normals_.reserve(mesh.triangles.size());
@@ -42,32 +52,40 @@ class ThicknessSearch {
     }
   }
 
-  /// Returns the way from the vertex through the solid to the wall behind it, at most `reach`.
-  double at(Index v) const {
+  /// Finds the walls across from the vertex; a thickness of `kShares` times the error stands for
+  /// all above.
+  Walls at(Index v) const {
     const Vec3& p = mesh_.positions[v];
-    const Vec3 inwards = -normalized_or_zero(vertex_normals_[v]);
-    SmallBox way;
-    way.grow(p);
-    way.grow(Vec3(p + reach_ * inwards));
-    double thickness = reach_;
+    const Vec3 outwards = normalized_or_zero(vertex_normals_[v]);
+    SmallBox behind;
+    behind.grow(p);
+    behind.grow(Vec3(p - kShares * error_ * outwards));
+    SmallBox way = behind;
+    way.grow(Vec3(p + kNarrow * error_ * outwards));
+    Walls found{kShares * error_, false};
     surface_.tree().any_meeting(way, triangle_at_[v], [&](TriangleId t) {
-      const double facing = -face_normals_[t].dot(inwards);
-      if (facing > kOpposite) return false;
+      const double facing = face_normals_[t].dot(outwards);
+      if (facing > kAcross) return false;
       const std::array<Vec3, 3>& c = surface_.corners(t);
-      const double distance = face_normals_[t].dot(p - c[0]) / facing;
-      if (!(distance > 0 && distance < thickness)) return false;
-      const double beside = kBeside * reach_ / kShares;
-      const Vec3 hit = p + distance * inwards;
-      if (squared_distance(hit, c[0], c[1], c[2]) <= beside * beside) thickness = distance;
+      const double ahead = face_normals_[t].dot(c[0] - p) / facing;
+      const bool thins = facing <= kOpposite && ahead < 0 && -ahead < found.thickness &&
+                         behind.meets(surface_.tree().box(t));
+      const bool narrows = !found.narrow && ahead != 0 && std::abs(ahead) < kNarrow * error_;
+      if (!thins && !narrows) return false;
+      const double beside = kBeside * error_;
+      const Vec3 hit = p + ahead * outwards;
+      if (squared_distance(hit, c[0], c[1], c[2]) > beside * beside) return false;
+      if (thins) found.thickness = -ahead;
+      if (narrows) found.narrow = true;
       return false;
     });
-    return thickness;
+    return found;
   }
 
  private:
   const ScaledMesh& mesh_;
   const Reference& surface_;
-  double reach_;
+  double error_;
   std::vector<Vec3> face_normals_;
   std::vector<Vec3> vertex_normals_;
   std::vector<TriangleId> triangle_at_;  // per vertex: one of its triangles
@@ -75,18 +93,21 @@ class ThicknessSearch {
 
 }  // namespace
 
-std::vector<double> local_limits(const ScaledMesh& mesh, const Reference& surface,
-                                 const Reference& reference, const std::vector<TriangleId>& near,
-                                 double error) {
-  std::vector<double> limits(mesh.positions.size(), error);
-  const ThicknessSearch search(mesh, surface, kShares * error);
-  for (Index v = 0; v < limits.size(); ++v) {
-    const double share = search.at(v) / kShares;
+LocalLimits local_limits(const ScaledMesh& mesh, const Reference& surface,
+                         const Reference& reference, const std::vector<TriangleId>& near,
+                         double error) {
+  LocalLimits limits{std::vector<double>(mesh.positions.size(), error),
+                     Marks(mesh.positions.size())};
+  const WallSearch search(mesh, surface, error);
+  for (Index v = 0; v < mesh.positions.size(); ++v) {
+    const Walls walls = search.at(v);
+    if (walls.narrow) limits.narrow.set(v);
+    const double share = walls.thickness / kShares;
     if (share >= error) continue;
     const TriangleId nearest = reference.nearest(mesh.positions[v], error, near[v]);
     if (nearest == kNone) continue;
     const double off = std::sqrt(reference.squared_distance(nearest, mesh.positions[v]));
-    limits[v] = std::max(share, std::min(error / kShares, kSlack * off));
+    limits.distance[v] = std::max(share, std::min(error / kShares, kSlack * off));
   }
   return limits;
 }

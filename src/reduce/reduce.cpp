@@ -96,18 +96,18 @@ Samples samples_of(const ScaledMesh& mesh, const Reference& surface, const Scale
   return samples;
 }
 
-// By numbers of triangles alone, steps are not looked at first, and then, from the start, only
-// those round vertices whose triangles met others in the end: next to none. Where they are more
-// than this part of all, or still some after a few passes, all steps are looked at.
+// Steps that change triangles at vertices that are not watched are not looked at first: next to
+// none lets triangles meet. Vertices whose triangles met others in the end are watched, too, in
+// another pass from the start. Where they are more than this part of all, or still some after a few
+// passes, all steps are looked at.
 constexpr double kMany = 0.02;
 constexpr int kMostPasses = 4;
 
-Pass pass_by_number(const HalfEdges& half_edges, const std::vector<Vec3>& positions,
-                    const std::vector<Index>& groups, const std::vector<Index>& targets,
-                    const Progress& progress) {
-  Marks guarded(positions.size());
+Pass watched_pass(const HalfEdges& half_edges, const std::vector<Vec3>& positions,
+                  const std::vector<Index>& groups, const std::optional<KeptDistance>& distance,
+                  Marks watched, const std::vector<Index>& targets, const Progress& progress) {
   for (int pass = 1; pass < kMostPasses; ++pass) {
-    Workpiece piece(half_edges, positions, std::nullopt, guarded);
+    Workpiece piece(half_edges, positions, distance, watched);
     piece.groups = groups;
     // Most of the time goes into the first pass.
     const double from = pass == 1 ? 0 : 1 - std::pow(0.1, pass - 1);
@@ -116,11 +116,11 @@ Pass pass_by_number(const HalfEdges& half_edges, const std::vector<Vec3>& positi
     const std::size_t count = meeting.count();
     if (count == 0) return out;
     if (static_cast<double>(count) > kMany * static_cast<double>(positions.size())) break;
-    for (VertexId v = 0; v < guarded.size(); ++v) {
-      if (meeting.test(v)) guarded.set(v);
+    for (VertexId v = 0; v < watched.size(); ++v) {
+      if (meeting.test(v)) watched.set(v);
     }
   }
-  Workpiece piece(half_edges, positions, std::nullopt);
+  Workpiece piece(half_edges, positions, distance);
   piece.groups = groups;
   return run_pass(piece, targets, part_of_progress(progress, 0.999, 1));
 }
@@ -169,35 +169,31 @@ ReducedMesh reduce(const Mesh& mesh, const Mesh& reference, const ReduceOptions&
   const int exponent = scale_to_one(mesh.positions).exponent;
   const ScaledMesh from = scaled_mesh(mesh, -exponent);
   const std::vector<Index> groups = face_groups(mesh, options.keep_groups);
-  HalfEdges half_edges(from.triangles, static_cast<Index>(from.positions.size()));
+  const HalfEdges half_edges(from.triangles, static_cast<Index>(from.positions.size()));
   const Reference surface(from.all_corners());
   std::optional<Reference> kept;
   std::optional<KeptDistance> distance;
+  Marks watched(from.positions.size());
   if (options.error > 0) {
     const ScaledMesh to = scaled_mesh(reference, -exponent);
     const double error = std::ldexp(options.error, -exponent);
     std::vector<TriangleId> near;
     kept.emplace(reference_for(from, to, error, near));
     Samples samples = samples_of(from, surface, to, *kept, near, error);
-    std::vector<double> limits = local_limits(from, surface, *kept, near, error);
+    LocalLimits limits = local_limits(from, surface, *kept, near, error);
+    watched = std::move(limits.narrow);
     distance.emplace(KeptDistance{&*kept,
                                   std::move(samples),
                                   error,
-                                  std::move(limits),
+                                  std::move(limits.distance),
                                   std::move(near),
                                   {*kept, kCreaseReach * diagonal_of(to.positions)}});
   }
   std::vector<Index> targets = options.target_triangles;
   if (targets.empty()) targets = {0};
   const Progress steps = part_of_progress(progress, kBefore, kMeasured);
-  Pass pass;
-  if (distance) {
-    Workpiece piece(std::move(half_edges), from.positions, std::move(distance));
-    piece.groups = groups;
-    pass = run_pass(piece, targets, steps);
-  } else {
-    pass = pass_by_number(half_edges, from.positions, groups, targets, steps);
-  }
+  const Pass pass = watched_pass(half_edges, from.positions, groups, distance, std::move(watched),
+                                 targets, steps);
   ReducedMesh out;
   for (const PassLevel& level : pass.levels) {
     ReducedLevel& made = out.levels.emplace_back();

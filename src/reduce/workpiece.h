@@ -30,7 +30,7 @@ struct KeptDistance {
 /// The mesh. Coordinates are of about 1.
 struct Workpiece {
   /// Without `watched`, no step may let triangles meet; with it only steps that change triangles
-  /// at marked vertices are looked at.
+  /// at marked vertices are looked at, and, if a distance is kept, those that leave or undo a fold.
   Workpiece(HalfEdges half_edges, std::vector<Vec3> points, std::optional<KeptDistance> kept,
             std::optional<Marks> watched = {})
       : mesh(std::move(half_edges)),
@@ -38,7 +38,7 @@ struct Workpiece {
         joined_to(positions.size(), kNone),
         distance(std::move(kept)),
         guarded(std::move(watched)) {
-    if (!guarded || guarded->any()) guard.emplace(mesh, positions);
+    if (!guarded || guarded->any() || distance) guard.emplace(mesh, positions);
   }
   Workpiece(const Workpiece&) = delete;  // the guard refers to the mesh
   Workpiece& operator=(const Workpiece&) = delete;

@@ -12,7 +12,7 @@
 namespace kdm {
 namespace {
 
-std::vector<double> limits_of(const Mesh& mesh, double error) {
+LocalLimits limits_of(const Mesh& mesh, double error) {
   const ScaledMesh scaled = scaled_mesh(mesh, 0);
   const Reference surface(scaled.all_corners());
   return local_limits(scaled, surface, surface,
@@ -22,7 +22,7 @@ std::vector<double> limits_of(const Mesh& mesh, double error) {
 TEST(LocalLimits, AreAnEighthOfAThinWall) {
   const Mesh plate =
       shapes::subdivided(shapes::subdivided(shapes::box(Vec3(0, 0, 0), Vec3(1, 1, 0.02))));
-  const std::vector<double> limits = limits_of(plate, 0.01);
+  const std::vector<double> limits = limits_of(plate, 0.01).distance;
   for (std::size_t v = 0; v < plate.positions.size(); ++v) {
     const Vec3& p = plate.positions[v];
     const bool inside = p.x() > 0.1 && p.x() < 0.9 && p.y() > 0.1 && p.y() < 0.9;
@@ -33,12 +33,33 @@ TEST(LocalLimits, AreAnEighthOfAThinWall) {
 
 TEST(LocalLimits, AreTheErrorWhereNothingIsThin) {
   for (const Mesh& mesh : {shapes::cube(), shapes::icosphere(3)}) {
-    for (const double limit : limits_of(mesh, 0.01)) EXPECT_EQ(limit, 0.01);
+    for (const double limit : limits_of(mesh, 0.01).distance) EXPECT_EQ(limit, 0.01);
   }
   // Gaps are not walls.
   const Mesh cubes = shapes::merged(
       {shapes::box(Vec3(0, 0, 0), Vec3(1, 1, 1)), shapes::box(Vec3(1.01, 0, 0), Vec3(2, 1, 1))});
-  for (const double limit : limits_of(cubes, 0.01)) EXPECT_EQ(limit, 0.01);
+  for (const double limit : limits_of(cubes, 0.01).distance) EXPECT_EQ(limit, 0.01);
+}
+
+// Two plates, 0.5 thick, with a gap between them.
+Mesh plates(double gap) {
+  const Mesh plate =
+      shapes::subdivided(shapes::subdivided(shapes::box(Vec3(0, 0, 0), Vec3(1, 1, 0.5))));
+  return shapes::merged({plate, shapes::translated(plate, Vec3(0, 0, 0.5 + gap))});
+}
+
+TEST(LocalLimits, MarkWhatIsNearToAnotherWall) {
+  const Mesh apart = plates(0.03);
+  const Marks narrow = limits_of(apart, 0.01).narrow;
+  for (std::size_t v = 0; v < apart.positions.size(); ++v) {
+    const Vec3& p = apart.positions[v];
+    const bool amid = p.x() > 0.1 && p.x() < 0.9 && p.y() > 0.1 && p.y() < 0.9;
+    if (!amid) continue;
+    EXPECT_EQ(narrow.test(v), p.z() > 0.4 && p.z() < 0.6) << p.transpose();
+  }
+  EXPECT_FALSE(limits_of(plates(0.05), 0.01).narrow.any());
+  const Mesh thin = shapes::subdivided(shapes::box(Vec3(0, 0, 0), Vec3(1, 1, 0.03)));
+  EXPECT_TRUE(limits_of(thin, 0.01).narrow.any());
 }
 
 // A bowl whose wall is a fifth of the error must not become a film or a lump.
