@@ -53,7 +53,7 @@ void InnerTriangles::find(CellSurface& surface_in_cell, int state, const Marks& 
   cell_ = &cell;
   state_ = state;
   surface_in_cell.inner.assign(cell.size(), {});
-  find_members_apart(crossing);
+  find_members_apart(surface_in_cell.pieces, crossing);
   line_members_.list(cell);
   answer_of_.assign(cell.size(), std::nullopt);
   for (MemberId m = 0; m < cell.size(); ++m) {
@@ -98,29 +98,32 @@ bool InnerTriangles::look_at(MemberId member, InnerPart& inner) const {
   return is_wide(part);
 }
 
-void InnerTriangles::find_members_apart(const Marks& crossing) {
+void InnerTriangles::find_members_apart(const CellPieces& pieces, const Marks& crossing) {
   apart_.clear();
-  if (!surface_.several_solids()) return;
   for (MemberId m = 0; m < cell_->size(); ++m) {
     const bool degenerate = surface_.degenerate.test(cell_->triangle(m));
-    if (!degenerate && !crossing.test(m) && !near_another_solid(m)) apart_.push_back(m);
+    if (!degenerate && !crossing.test(m) && !near_another(pieces, m)) apart_.push_back(m);
   }
   groups_.connect(*cell_, apart_);
 }
 
-// Tells whether a triangle of another solid may lie where states are looked at.
-bool InnerTriangles::near_another_solid(MemberId member) const {
-  const Index solid = surface_.solid_of[cell_->triangle(member)];
+// Tells whether a triangle of another solid, or of one solid another piece, may lie where states
+// are looked at.
+bool InnerTriangles::near_another(const CellPieces& pieces, MemberId member) const {
+  const auto belong_together = [&](MemberId m) {
+    return surface_.several_solids() ? surface_.solid_of[cell_->triangle(m)] ==
+                                           surface_.solid_of[cell_->triangle(member)]
+                                     : pieces.piece_of(m) == pieces.piece_of(member);
+  };
   const LatticeBox& bounds = cell_->bounds(member);
   const auto reach = static_cast<std::int32_t>(reach_) + 1;
   for (MemberId m = 0; m < cell_->size(); ++m) {
-    if (surface_.solid_of[cell_->triangle(m)] == solid) continue;
     const LatticeBox& other = cell_->bounds(m);
     bool near = true;
     for (int i = 0; i < 3; ++i) {
       near = near && other.lo[i] <= bounds.hi[i] + reach && other.hi[i] + reach >= bounds.lo[i];
     }
-    if (near) return true;
+    if (near && !belong_together(m)) return true;
   }
   return false;
 }

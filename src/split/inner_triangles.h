@@ -25,10 +25,9 @@ class InnerTriangles {
       : surface_(surface), model_(model), reach_(widest_gap + kBeside) {}
 
   /// Looks at all members of a cell and writes `cell.inner`. `state` is that of the cell's lowest
-  /// corner, `crossing` marks the members that cross others. Of several solids, members that hang
-  /// together and are near no other solid have one answer, that of the first which is wide enough
-  /// in the cell. Takes time quadratic in the number of
-  /// members.
+  /// corner, `crossing` marks the members that cross others. Members that hang together, cross
+  /// nothing and are near no other solid, or of one solid no other piece, have one answer, that of
+  /// the first which is wide enough in the cell. Takes time quadratic in the number of members.
   void find(CellSurface& cell, int state, const Marks& crossing);
 
  private:
@@ -36,8 +35,8 @@ class InnerTriangles {
   static constexpr double kBeside = 2;
 
   bool look_at(MemberId member, InnerPart& inner) const;
-  void find_members_apart(const Marks& crossing);
-  bool near_another_solid(MemberId member) const;
+  void find_members_apart(const CellPieces& pieces, const Marks& crossing);
+  bool near_another(const CellPieces& pieces, MemberId member) const;
   bool bounds_nothing(MemberId member, const Vec3& point) const;
   bool is_cut_off(const LatticePoint& before, const LatticePoint& behind) const;
   int state_at(const LatticePoint& point) const;
@@ -47,7 +46,7 @@ class InnerTriangles {
   InsideModel& model_;
   double reach_;
   const CellTriangles* cell_ = nullptr;
-  std::vector<MemberId> apart_;                 // that cross nothing and are near no other solid
+  std::vector<MemberId> apart_;                 // that cross nothing and are near nothing else
   MemberGroups groups_;                         // of these
   std::vector<std::optional<bool>> answer_of_;  // per lowest member of such a group: all are inner
   LineMembers line_members_;
