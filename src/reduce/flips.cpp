@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "mesh/marks.h"
 #include "reduce/near_test.h"
 #include "reduce/shape.h"
 #include "reduce/smooth_test.h"
@@ -17,7 +18,11 @@ constexpr int kMostRounds = 4;
 
 class Flipper {
  public:
-  explicit Flipper(Workpiece& piece) : piece_(piece), smooth_(piece, piece.distance->creases) {}
+  explicit Flipper(Workpiece& piece)
+      : piece_(piece),
+        smooth_(piece, piece.distance->creases),
+        changed_(piece.positions.size()),
+        changed_before_(piece.positions.size()) {}
 
   Index flip_all() {
     const SideId sides = 3 * piece_.mesh.triangles();
@@ -25,9 +30,11 @@ class Flipper {
     Index moves = 0;
     for (int round = 0; round < kMostRounds; ++round) {
       const Index before = flips + moves;
+      std::swap(changed_, changed_before_);
+      changed_.clear_all();
       for (SideId h = 0; h < sides; ++h) {
         if (piece_.mesh.is_removed(triangle_of(h)) || piece_.mesh.edge(h) != h) continue;
-        if (!smooth_.is_false_crease(h)) continue;
+        if ((round > 0 && !has_changed(h)) || !smooth_.is_false_crease(h)) continue;
         if (flip_here(h)) {
           ++flips;
         } else if (move_here(h)) {
@@ -40,6 +47,17 @@ class Flipper {
   }
 
  private:
+  // Tells whether anything at the edge's two triangles has changed in this round or the one before.
+  bool has_changed(SideId h) const {
+    const auto at = [&](SideId side) {
+      const VertexId v = piece_.mesh.start(side);
+      return changed_.test(v) || changed_before_.test(v);
+    };
+    const SideId back = piece_.mesh.opposite(h);
+    return at(h) || at(next_side(h)) || at(previous_side(h)) ||
+           (back != kNone && at(previous_side(back)));
+  }
+
   // Flips the edge, or one of the four other edges of its triangles, if that helps.
   bool flip_here(SideId h) {
     const SideId back = piece_.mesh.opposite(h);
@@ -57,7 +75,11 @@ class Flipper {
     if (turns_in_reference(piece_, h)) return false;
     const SideId back = piece_.mesh.opposite(h);
     for (const SideId side : {h, back, previous_side(h), previous_side(back)}) {
-      if (move_to_smooth(piece_, smooth_, piece_.mesh.start(side))) return true;
+      const VertexId v = piece_.mesh.start(side);
+      if (!move_to_smooth(piece_, smooth_, v)) continue;
+      changed_.set(v);
+      piece_.mesh.for_each_neighbour(v, [&](VertexId near) { changed_.set(near); });
+      return true;
     }
     return false;
   }
@@ -84,6 +106,7 @@ class Flipper {
     if (piece_.guard->would_meet(places, triangles)) return false;
     samples.move(places);
     piece_.mesh.flip(h);
+    for (const VertexId v : {a, b, c, d}) changed_.set(v);
     for (const TriangleId t : places) piece_.guard->changed(t);
     return true;
   }
@@ -102,6 +125,8 @@ class Flipper {
 
   Workpiece& piece_;
   SmoothTest smooth_;
+  Marks changed_;         // per vertex: something at it has changed in this round
+  Marks changed_before_;  // the same of the round before
 };
 
 }  // namespace

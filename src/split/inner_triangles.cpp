@@ -111,9 +111,9 @@ void InnerTriangles::find_members_apart(const CellPieces& pieces, const Marks& c
 // are looked at.
 bool InnerTriangles::near_another(const CellPieces& pieces, MemberId member) const {
   const auto belong_together = [&](MemberId m) {
-    return surface_.several_solids() ? surface_.solid_of[cell_->triangle(m)] ==
-                                           surface_.solid_of[cell_->triangle(member)]
-                                     : pieces.piece_of(m) == pieces.piece_of(member);
+    return surface_.several_solids()
+               ? surface_.solid_of[cell_->triangle(m)] == surface_.solid_of[cell_->triangle(member)]
+               : pieces.piece_of(m) == pieces.piece_of(member);
   };
   const LatticeBox& bounds = cell_->bounds(member);
   const auto reach = static_cast<std::int32_t>(reach_) + 1;
