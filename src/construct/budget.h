@@ -35,6 +35,13 @@ class Budget {
 
   void take_split() { --splits_left_; }
 
+  /// Takes several splits, unless that would reach the limit. Returns whether it did.
+  bool take_splits(std::size_t splits) {
+    if (splits >= splits_left_) return false;
+    splits_left_ -= splits;
+    return true;
+  }
+
   /// Returns whether a limit is reached, and from then on always. `done` is the fraction (0 to 1)
   /// of the construction that is done at this point.
   bool exceeded(std::size_t work, double done) {

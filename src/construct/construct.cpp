@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "construct/budget.h"
+#include "construct/cell_border.h"
 #include "construct/crossing_search.h"
 #include "construct/solid_filter.h"
 #include "geometry/assert.h"
@@ -40,13 +41,11 @@ class CellProgress {
   std::uint32_t cells_since_report_ = 0;
 };
 
-// What a cell hands down. Corners are numbered by bits: 1 for x, 2 for y, 4 for z at the high end.
-struct CellFrame {
+// What a cell hands down.
+struct CellFrame : CellBorder {
   CellId cell = 0;
   int depth = 0;
   LatticeBox box;
-  CellEdges edges;
-  std::array<int, 8> state{};  // of the inside model at the corners
   ListRange triangles;
   bool several_solids = false;  // have triangles in the list
   RuleRange rule;
@@ -77,22 +76,6 @@ void divide_progress(const CellFrame& frame, Halves& halves) {
       frame.done_before + (frame.done_after - frame.done_before) * (both > 0 ? below / both : 0.5);
 }
 
-// Hands splitting edge `i` of a split along `axis` to both halves.
-void hand_down_edge(int axis, int i, EdgeRange range, Halves& halves) {
-  const int u = next_axis(axis);
-  const int v = previous_axis(axis);
-  // Edges 0 and 2 run along u, at the low and high end of v; 1 and 3 along v, at the high and low
-  // end of u. For axis u the next axis is v and the previous one is `axis`.
-  const bool high = i == 1 || i == 2;
-  if (axis_of_edge(axis, i) == u) {
-    halves.below.edges[cell_edge(u, high, true)] = range;
-    halves.above.edges[cell_edge(u, high, false)] = range;
-  } else {
-    halves.below.edges[cell_edge(v, true, high)] = range;
-    halves.above.edges[cell_edge(v, false, high)] = range;
-  }
-}
-
 // Splits a box in the middle of its longest side; not one that has no middle.
 std::optional<Split> halve_longest(const LatticeBox& box) {
   const int axis = longest_axis(box);
@@ -104,8 +87,11 @@ std::optional<Split> halve_longest(const LatticeBox& box) {
 class Construction {
  public:
   Construction(const Surface& surface, const BuildOptions& options, double tolerance, int depth,
-               InsideModel& model, const Progress& progress, GridData& grid)
-      : model_(model),
+               InsideModel& model, const CellMemory& memory, const Progress& progress,
+               GridData& grid)
+      : surface_(surface),
+        model_(model),
+        memory_(memory),
         grid_(grid),
         depth_(depth),
         rule_(make_split_rule(surface, model, options, tolerance, depth)),
@@ -122,6 +108,7 @@ class Construction {
     grid.cells.reserve(2 * splits);
     crossings_.edge_begin.reserve(4 * splits);
     crossings_.all.reserve(2 * splits);
+    if (memory_.notes != nullptr) *memory_.notes = {};
   }
 
   // Makes the cells. Returns the fraction of them that was made before the budget was exceeded; 1
@@ -131,8 +118,10 @@ class Construction {
     root.triangles = lists_.all();
     root.several_solids = solids_.exist();
     root.rule = rule_->root();
-    split_cell(root);
+    const FormerCell former;
+    split_cell(root, memory_.former != nullptr && rule_->is_local() ? &former : nullptr);
     if (!budget_.sufficed()) return budget_.done();
+    if (memory_.notes != nullptr) memory_.notes->complete = rule_->is_local();
     rule_->report(grid_.stats);
     model_.report(grid_.stats);
     grid_.cells.shrink_to_fit();
@@ -140,21 +129,23 @@ class Construction {
   }
 
   const EdgeCrossings& crossings() const { return crossings_; }
+  EdgeCrossings take_crossings() { return std::move(crossings_); }
 
  private:
-  void split_cell(CellFrame& frame) {
+  // `former` is the same cell in the former construction; null: it had none.
+  void split_cell(CellFrame& frame, const FormerCell* former) {
     if (budget_.exceeded(model_.work(), frame.done_before)) return;
     progress_.count_cell(frame.done_before);
+    SplitNote note;
+    note.several_solids = frame.several_solids;
+    if (memory_.notes != nullptr) note.solids = solids_.bits_of(lists_.entries(frame.triangles));
+    if (former != nullptr && former_cells().cells[former->cell].leaf()) former = nullptr;
+    if (former != nullptr && take_over(frame, note, *former)) return;
     if (frame.several_solids) {
       frame.several_solids = solids_.leave_out(frame.state[0], lists_, frame.triangles);
     }
     if (frame.triangles.size() == 0) return;
-    std::optional<Split> split =
-        rule_->choose({frame.box, frame.depth, lists_.entries(frame.triangles), frame.rule,
-                       frame.edges, crossings_.all, frame.state[0]});
-    if (!split && frame.depth < depth_ && model_.must_split(frame.box)) {
-      split = halve_longest(frame.box);
-    }
+    const std::optional<Split> split = choose(frame);
     if (!split) return;
     budget_.take_split();
     KDM_ASSERT(split->value > frame.box.lo[split->axis] && split->value < frame.box.hi[split->axis],
@@ -162,17 +153,88 @@ class Construction {
     const auto first_child = static_cast<CellId>(grid_.cells.size());
     grid_.cells[frame.cell] = Cell(first_child, split->axis, split->value);
     grid_.cells.resize(grid_.cells.size() + 2);
+    const SplitId number = begin_note(note);
     Halves halves = divide(frame, *split, first_child);
+    std::array<FormerCell, 2> formers;
+    const bool as_before =
+        former != nullptr && split_as(former_cells().cells[former->cell], *split);
+    if (as_before) formers = halves_of(*former, former_cells());
     // The list of the upper child lies on top in the arena, but the lower child comes first in
     // depth-first order; its descendants' lists go above both.
-    split_cell(halves.below);
-    split_cell(halves.above);
+    split_cell(halves.below, as_before ? &formers[0] : nullptr);
+    split_cell(halves.above, as_before ? &formers[1] : nullptr);
     lists_.release(halves.below.triangles);
+    end_note(number);
+  }
+
+  std::optional<Split> choose(const CellFrame& frame) {
+    const Index unresolved = rule_->tally().unresolved;
+    std::optional<Split> split =
+        rule_->choose({frame.box, frame.depth, lists_.entries(frame.triangles), frame.rule,
+                       frame.edges, crossings_.all, frame.state[0]});
+    if (memory_.notes != nullptr && rule_->tally().unresolved > unresolved) {
+      memory_.notes->unresolved.push_back(centre_of(frame.box));
+    }
+    if (!split && frame.depth < depth_ && model_.must_split(frame.box)) {
+      split = halve_longest(frame.box);
+    }
+    return split;
+  }
+
+  const FormerCells& former_cells() const { return *memory_.former; }
+
+  static bool split_as(const Cell& cell, const Split& split) {
+    return cell.axis() == split.axis && cell.value() == split.value;
+  }
+
+  // Takes what is in a cell over from the former construction, if it would come out the same.
+  bool take_over(const CellFrame& frame, const SplitNote& now, const FormerCell& former) {
+    const FormerCells& before = former_cells();
+    const SplitId first = before.cells[former.cell].split();
+    const SplitNote& note = before.splits[first];
+    if (now.solids != note.solids || now.several_solids != note.several_solids) return false;
+    if ((now.solids & memory_.moved) != 0) return false;
+    if (!same_border(frame, crossings_.all, former, before.crossings.all, surface_,
+                     memory_.moved)) {
+      return false;
+    }
+    const std::span<const Vec3> unresolved(before.unresolved.data() + note.unresolved_begin,
+                                           note.unresolved_end - note.unresolved_begin);
+    if (!rule_->has_budget(note.fine_splits) || !budget_.take_splits(note.end - first)) {
+      return false;
+    }
+    rule_->count_cells(note.fine_splits, unresolved);
+    copy_splits(before, former.cell, frame.cell, grid_.cells, crossings_, *memory_.notes);
+    return true;
+  }
+
+  SplitId begin_note(SplitNote note) {
+    const auto number = static_cast<SplitId>(grid_.cells.size() / 2 - 1);
+    if (memory_.notes == nullptr) return number;
+    note.fine_splits = rule_->tally().fine_splits;
+    note.unresolved_begin = static_cast<Index>(memory_.notes->unresolved.size());
+    memory_.notes->splits.push_back(note);
+    return number;
+  }
+
+  void end_note(SplitId number) {
+    if (memory_.notes == nullptr) return;
+    SplitNote& note = memory_.notes->splits[number];
+    note.end = static_cast<SplitId>(grid_.cells.size() / 2);
+    note.fine_splits = rule_->tally().fine_splits - note.fine_splits;
+    note.unresolved_end = static_cast<Index>(memory_.notes->unresolved.size());
   }
 
   Halves divide(const CellFrame& frame, const Split& split, CellId first_child) {
     Halves halves{frame, frame};
-    divide_edges(frame, split, halves);
+    cut_edges(
+        split, crossings_.all,
+        [&](bool high_next, bool high_previous, int counted) {
+          return model_.state_at(
+              corner_on_plane(frame.box, split.axis, split.value, high_next, high_previous),
+              counted);
+        },
+        halves.below, halves.above);
     const TriangleLists::Children lists = lists_.divide(frame.triangles, split.axis, split.value);
     halves.below.triangles = lists.below;
     halves.above.triangles = lists.above;
@@ -183,30 +245,6 @@ class Construction {
     divide_box(frame, split, first_child, halves);
     divide_progress(frame, halves);
     return halves;
-  }
-
-  // Cuts the four edges that run across the plane. The crossings on them lead from the states at
-  // the cell's corners to those at the corners of the splitting face.
-  void divide_edges(const CellFrame& frame, const Split& split, Halves& halves) {
-    const int w = split.axis;
-    for (int e = 0; e < 4; ++e) {
-      const bool high_next = (e & 1) != 0;
-      const bool high_previous = (e & 2) != 0;
-      const EdgeRange whole = frame.edges[4 * w + e];
-      Index cut = whole.begin;
-      while (cut < whole.end && floor_of(crossings_.all[cut].position()) < split.value) ++cut;
-      halves.below.edges[4 * w + e].end = cut;
-      halves.above.edges[4 * w + e].begin = cut;
-      const int low_corner =
-          (high_next ? 1 << next_axis(w) : 0) | (high_previous ? 1 << previous_axis(w) : 0);
-      const int high_corner = low_corner | 1 << w;
-      const int counted =
-          cut == whole.begin ? frame.state[low_corner] : crossings_.all[cut - 1].state_after();
-      const int state = model_.state_at(
-          corner_on_plane(frame.box, w, split.value, high_next, high_previous), counted);
-      halves.below.state[high_corner] = state;
-      halves.above.state[low_corner] = state;
-    }
   }
 
   // Finds and classifies the crossings of the four new edges and hands the edges to both halves.
@@ -230,11 +268,13 @@ class Construction {
         rule_->on_crossing(crossings_.all[c].triangle());
       }
       crossings_.edge_begin.push_back(range.end);
-      hand_down_edge(split.axis, i, range, halves);
+      hand_down_edge(split.axis, i, range, halves.below, halves.above);
     }
   }
 
+  const Surface& surface_;
   InsideModel& model_;
+  const CellMemory& memory_;
   GridData& grid_;
   int depth_;  // that no cell goes beyond
   std::unique_ptr<SplitRule> rule_;
@@ -267,7 +307,7 @@ double widening_for(double done) {
 
 ConstructedCells construct_cells(const Surface& surface, InsideModel& model,
                                  const BuildOptions& options, double tolerance, int depth,
-                                 const Progress& progress, GridData& grid) {
+                                 CellMemory memory, const Progress& progress, GridData& grid) {
   double shown = 0;
   Progress onwards;
   if (progress) {
@@ -277,12 +317,16 @@ ConstructedCells construct_cells(const Surface& surface, InsideModel& model,
     };
   }
   for (;;) {
-    Construction construction(surface, options, tolerance, depth, model, onwards, grid);
+    Construction construction(surface, options, tolerance, depth, model, memory, onwards, grid);
     const double done = construction.make_cells();
     if (done == 1) {
-      return {tolerance, make_hits(construction.crossings(), surface, model, grid)};
+      if (memory.notes != nullptr) memory.notes->cells = grid.cells;
+      ConstructedCells made{tolerance, make_hits(construction.crossings(), surface, model, grid)};
+      if (memory.notes != nullptr) memory.notes->crossings = construction.take_crossings();
+      return made;
     }
     tolerance = widening_for(done) * std::max(tolerance, 1.0);
+    memory = {};
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "construct/former_cells.h"
 #include "grid/grid_data.h"
 #include "inside/inside_model.h"
 #include "kdmanifold/build.h"
@@ -26,8 +27,12 @@ struct ConstructedCells {
 /// widened, and the cells are made anew, where a surface to be repaired would take more than a
 /// fixed budget of splits and winding numbers (see Budget). Throws `kAborted` if `progress` says
 /// so.
+///
+/// `memory` may hold the cells of an earlier construction of the same grid with some solids in
+/// other places, within the same lattice, tolerance and depth, and with the states of the same
+/// model. Cells are taken over from there as far as they are the same.
 ConstructedCells construct_cells(const Surface& surface, InsideModel& model,
                                  const BuildOptions& options, double tolerance, int depth,
-                                 const Progress& progress, GridData& grid);
+                                 CellMemory memory, const Progress& progress, GridData& grid);
 
 }  // namespace kdm

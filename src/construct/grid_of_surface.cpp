@@ -34,7 +34,8 @@ double lattice_tolerance(const Surface& surface, const BuildOptions& options) {
 
 std::unique_ptr<GridData> grid_of_surface(const Surface& surface, InsideModel& model,
                                           const BuildOptions& options, double tolerance,
-                                          ExactParts exact, const Progress& progress) {
+                                          ExactParts exact, const Progress& progress,
+                                          const CellMemory& memory) {
   auto grid = std::make_unique<GridData>();
   grid->sheet = surface.sheet;
   grid->inside = options.inside;
@@ -43,7 +44,7 @@ std::unique_ptr<GridData> grid_of_surface(const Surface& surface, InsideModel& m
   grid->input = surface.report;
   report_progress(progress, 0.1, "build");
   const ConstructedCells made =
-      construct_cells(surface, model, options, tolerance, depth_limit(options),
+      construct_cells(surface, model, options, tolerance, depth_limit(options), memory,
                       part_of_progress(progress, 0.1, 0.8), *grid);
   grid->exact = std::move(exact.mesh);
   grid->stats.exact_parts = exact.parts;

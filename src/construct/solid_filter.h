@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "construct/former_cells.h"
 #include "inside/inside_model.h"
 #include "split/triangle_lists.h"
 
@@ -20,6 +21,14 @@ class SolidFilter {
 
   /// Returns whether there are several solids at all.
   bool exist() const { return surface_.several_solids(); }
+
+  /// Returns the solids that have triangles in a list. There must be no more than there are bits.
+  SolidBits bits_of(std::span<const ListEntry> entries) const {
+    SolidBits bits = 0;
+    for (const ListEntry& entry : entries)
+      bits |= SolidBits{1} << surface_.solid_of[entry.triangle];
+    return bits;
+  }
 
   /// Drops from the list of a cell the triangles of solids that make no difference there, as
   /// follows from the solids that are in the list and from the state at one of the cell's corners.

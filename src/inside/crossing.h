@@ -61,6 +61,8 @@ class ClassifiedCrossing {
   /// gap in it.
   bool leaving() const { return (packed_ & kLeaving) != 0; }
 
+  bool operator==(const ClassifiedCrossing&) const = default;
+
  private:
   static constexpr std::uint32_t kLeaving = 1u << 31;
   static constexpr std::uint32_t kTriangleMask = kLeaving - 1;  // no input has as many triangles

@@ -3,7 +3,6 @@
 #include "inside/solids_model.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "geometry/assert.h"
 #include "inside/gaps.h"
@@ -15,8 +14,8 @@ namespace {
 
 class SolidsModel final : public InsideModel {
  public:
-  SolidsModel(const Surface& surface, SolidStates states, double tolerance)
-      : surface_(surface), states_(std::move(states)), gaps_(surface, tolerance, true) {}
+  SolidsModel(const Surface& surface, SolidStates& states, double tolerance)
+      : surface_(surface), states_(states), gaps_(surface, tolerance, true) {}
 
   std::optional<bool> is_inside(int state) const override { return states_.is_inside(state); }
 
@@ -94,15 +93,15 @@ class SolidsModel final : public InsideModel {
   }
 
   const Surface& surface_;
-  SolidStates states_;
+  SolidStates& states_;
   GapRule gaps_;
 };
 
 }  // namespace
 
-std::unique_ptr<InsideModel> make_solids_model(const Surface& surface, SolidStates states,
+std::unique_ptr<InsideModel> make_solids_model(const Surface& surface, SolidStates& states,
                                                double tolerance) {
-  return std::make_unique<SolidsModel>(surface, std::move(states), tolerance);
+  return std::make_unique<SolidsModel>(surface, states, tolerance);
 }
 
 }  // namespace kdm

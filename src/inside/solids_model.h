@@ -11,8 +11,8 @@
 namespace kdm {
 
 /// Makes the model of several solids, which `surface.solid_of` tells apart. `tolerance` is in
-/// lattice units. The surface must outlive the model.
-std::unique_ptr<InsideModel> make_solids_model(const Surface& surface, SolidStates states,
+/// lattice units. The surface and the states must outlive the model.
+std::unique_ptr<InsideModel> make_solids_model(const Surface& surface, SolidStates& states,
                                                double tolerance);
 
 }  // namespace kdm

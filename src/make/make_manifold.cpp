@@ -2,11 +2,12 @@
 // Puts the steps together, and says what holds for the whole.
 #include "kdmanifold/make_manifold.h"
 
-#include "csg/build_csg_grid.h"
 #include "csg/build_grid.h"
+#include "csg/solids_builder.h"
 #include "extract/warnings.h"
 #include "kdmanifold/error.h"
 #include "kdmanifold/options.h"
+#include "make/make_solids.h"
 #include "make/reduction_rule.h"
 #include "make/step_shares.h"
 #include "mesh/measure.h"
@@ -117,16 +118,18 @@ MadeManifold make_manifold_in_steps(const Mesh& mesh, const MakeOptions& options
   return out;
 }
 
-MadeManifold make_solids_in_steps(const Expression& expression,
-                                  const std::vector<Operand>& operands, const MakeOptions& options,
-                                  const StepProgress& progress) {
-  if (!options.reduction.keep_groups.empty()) {
-    throw Error(ErrorCode::kInvalidOption, "`keep_groups`: not of several solids");
-  }
+void check_for_solids(const MakeOptions& options) {
+  if (options.reduction.keep_groups.empty()) return;
+  throw Error(ErrorCode::kInvalidOption, "`keep_groups`: not of several solids");
+}
+
+MadeManifold make_solids(SolidsBuilder& builder, const MakeOptions& options,
+                         const StepProgress& progress) {
   const bool is_reduced = reduces(options);
   SolidsGrid built =
-      build_csg_grid_within(operands, expression, options.build, is_reduced ? kGridShare : 1,
-                            begin(progress, MakeStep::kBuild));
+      builder.build(is_reduced ? kGridShare : 1,
+                    is_reduced ? SolidsBuilder::Faces::kToo : SolidsBuilder::Faces::kLeftOut,
+                    begin(progress, MakeStep::kBuild));
   if (options.reduction.simplify > 0) {
     return make_simplified(std::move(built.grid), options, progress);
   }
@@ -144,6 +147,14 @@ MadeManifold make_solids_in_steps(const Expression& expression,
               progress, made);
   state_tolerance(out.grid.input(), tolerance, made);
   return out;
+}
+
+MadeManifold make_solids_in_steps(const Expression& expression,
+                                  const std::vector<Operand>& operands, const MakeOptions& options,
+                                  const StepProgress& progress) {
+  check_for_solids(options);
+  SolidsBuilder builder(operands, expression, options.build, SolidsBuilder::Builds::kOnce);
+  return make_solids(builder, options, progress);
 }
 
 MadeManifold make_manifold(const Mesh& mesh, const MakeOptions& options, const Progress& progress) {

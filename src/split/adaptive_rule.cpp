@@ -82,12 +82,22 @@ class AdaptiveRule : public SplitRule {
         contact_points_(surface),
         inner_triangles_(surface, model, widest_gap(tolerance)),
         cuts_(surface, tolerance_, max_depth, position),
-        fine_splits_left_(budget_of_fine_splits(surface, tolerance)) {}
+        most_fine_splits_(budget_of_fine_splits(surface, tolerance)) {}
 
   std::optional<Split> choose(const CellView& cell) override {
     std::optional<Split> split = choose_split(cell);
     if (split && position_ != CutPosition::kInTurn) split->value = off_gaps(cell, *split);
     return split;
+  }
+
+  bool is_local() const override { return has_budget(0); }
+  Tally tally() const override { return {unresolved_leaves_, fine_splits_}; }
+  bool has_budget(std::size_t fine_splits) const override {
+    return fine_splits_ + fine_splits < most_fine_splits_;
+  }
+  void count_cells(std::size_t fine_splits, std::span<const Vec3> unresolved) override {
+    fine_splits_ += fine_splits;
+    for (const Vec3& centre : unresolved) count_unresolved(centre);
   }
 
   void report(GridStats& stats) const override {
@@ -218,9 +228,9 @@ class AdaptiveRule : public SplitRule {
     if (!cuts_.is_below_topology_floor(surface_in_cell_)) {
       split = cuts_.split_for_topology(cell, surface_in_cell_, fault, between_parts_,
                                        TopologyFloor::kAtTolerance);
-    } else if (fine_splits_left_ > 0 && !shells_cross && !surface_.has_rims() &&
-               !surface_.patched && !triangles_cross()) {
-      --fine_splits_left_;
+    } else if (has_budget(0) && !shells_cross && !surface_.has_rims() && !surface_.patched &&
+               !triangles_cross()) {
+      ++fine_splits_;
       split = cuts_.split_for_topology(cell, surface_in_cell_, fault, between_parts_,
                                        TopologyFloor::kAtLattice);
     }
@@ -229,21 +239,23 @@ class AdaptiveRule : public SplitRule {
 
   // Makes the cell a leaf although it does not pass the tests.
   std::optional<Split> leave_unresolved(const CellView& cell) {
-    if (unresolved_leaves_ % stride_ == 0) keep_position(cell.box);
-    ++unresolved_leaves_;
+    count_unresolved(centre_of(cell.box));
     return std::nullopt;
+  }
+
+  void count_unresolved(const Vec3& centre) {
+    if (unresolved_leaves_ % stride_ == 0) keep_position(centre);
+    ++unresolved_leaves_;
   }
 
   // Keeps the centre of a leaf. Of too many, every second stays, and so do every second of those to
   // come.
-  void keep_position(const LatticeBox& box) {
+  void keep_position(const Vec3& centre) {
     if (unresolved_.size() == kMostPositions) {
       for (std::size_t i = 0; 2 * i < kMostPositions; ++i) unresolved_[i] = unresolved_[2 * i];
       unresolved_.resize(kMostPositions / 2);
       stride_ *= 2;
     }
-    Vec3 centre;
-    for (int i = 0; i < 3; ++i) centre[i] = 0.5 * (box.lo[i] + box.hi[i]);
     unresolved_.push_back(centre);
   }
 
@@ -264,7 +276,8 @@ class AdaptiveRule : public SplitRule {
   CutChoice cuts_;
   std::optional<Split> between_parts_;  // a plane between the small parts of the cell at hand
   Index unresolved_leaves_ = 0;
-  std::size_t fine_splits_left_;  // below the topology floor
+  std::size_t most_fine_splits_;  // below the topology floor
+  std::size_t fine_splits_ = 0;
   Index stride_ = 1;              // of so many unresolved leaves the centre of one is kept
   std::vector<Vec3> unresolved_;  // lattice coordinates
 };

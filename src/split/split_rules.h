@@ -73,9 +73,32 @@ class SplitRule {
   }
   /// Tells the rule that a grid edge crosses a triangle.
   virtual void on_crossing(TriangleId triangle) { static_cast<void>(triangle); }
+
+  /// Tells whether all that the rule has said of a cell followed from the surface in the cell and
+  /// from the crossings on its edges, so that it would say the same of a cell like it. If so, cells
+  /// like others that were seen before need not be shown to the rule: `count_cells` is enough.
+  virtual bool is_local() const { return false; }
+  /// What a local rule counts.
+  struct Tally {
+    Index unresolved = 0;         ///< leaves that do not pass the tests
+    std::size_t fine_splits = 0;  ///< splits of which there is a limited number
+  };
+  virtual Tally tally() const { return {}; }
+  /// Tells whether the rule stays local if so many more fine splits are counted.
+  virtual bool has_budget(std::size_t fine_splits) const { return fine_splits == 0; }
+  /// Counts cells that are not shown to the rule: the fine splits in them, and the centres of the
+  /// leaves that do not pass the tests, in their order.
+  virtual void count_cells(std::size_t fine_splits, std::span<const Vec3> unresolved) {
+    static_cast<void>(fine_splits);
+    static_cast<void>(unresolved);
+  }
+
   /// Writes what the rule knows about the grid to `stats`, after the last cell was made.
   virtual void report(GridStats& stats) const { static_cast<void>(stats); }
 };
+
+/// Returns the middle of a cell, in lattice units.
+inline Vec3 centre_of(const LatticeBox& box) { return 0.5 * (to_vec3(box.lo) + to_vec3(box.hi)); }
 
 /// Returns the split through the middle of the box across axis `depth % 3`, or nothing if the box
 /// is one lattice unit wide along that axis.

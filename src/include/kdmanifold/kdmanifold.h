@@ -6,6 +6,7 @@
 #include "kdmanifold/account.h"
 #include "kdmanifold/analyze.h"
 #include "kdmanifold/boolean.h"
+#include "kdmanifold/boolean_scene.h"
 #include "kdmanifold/build.h"
 #include "kdmanifold/deviation.h"
 #include "kdmanifold/error.h"

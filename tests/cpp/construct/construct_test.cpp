@@ -28,7 +28,7 @@ TEST(Construct, HitsKnowTheirTriangles) {
     const std::size_t planes_before = surface.planes.size();
     GridData grid;
     const ConstructedCells made = construct_cells(
-        surface, *make_inside_model(surface, options, 1000), options, 1000, 12, {}, grid);
+        surface, *make_inside_model(surface, options, 1000), options, 1000, 12, {}, {}, grid);
     EXPECT_EQ(made.tolerance, 1000);
     EXPECT_EQ(surface.planes.size(), planes_before);
     ASSERT_EQ(made.triangle_of_hit.size(), grid.hits.size());
