@@ -24,8 +24,8 @@ BooleanScene::BooleanScene(const Expression& expression, const std::vector<Opera
   check_options(options.extract);
   check_for_solids(options);
   static_cast<void>(reduces(options));
-  data_ = std::make_unique<Data>(
-      SolidsBuilder(operands, expression, options.build, SolidsBuilder::Builds::kAgain), options);
+  SolidsBuilder builder(operands, expression, options.build, SolidsBuilder::Builds::kAgain);
+  data_ = std::make_unique<Data>(Data{std::move(builder), options});
 }
 
 BooleanScene::BooleanScene(BooleanScene&&) noexcept = default;
