@@ -55,6 +55,7 @@ void InnerTriangles::find(CellSurface& surface_in_cell, int state, const Marks& 
   surface_in_cell.inner.assign(cell.size(), {});
   find_members_apart(surface_in_cell.pieces, crossing);
   line_members_.list(cell);
+  find_first_crossings();
   answer_of_.assign(cell.size(), std::nullopt);
   for (MemberId m = 0; m < cell.size(); ++m) {
     const bool apart = !apart_.empty() && groups_.contains(m);
@@ -134,31 +135,50 @@ bool InnerTriangles::bounds_nothing(MemberId member, const Vec3& point) const {
   const auto beside = [&](double distance) {
     return nearest_in(cell_->cell(), point + distance * normal);
   };
-  const auto inside = [&](const LatticePoint& p) {
-    return model_.is_inside(state_at(p)).value_or(false);
-  };
+  const auto inside = [&](int state) { return model_.is_inside(state).value_or(false); };
   const LatticePoint before = beside(kBeside);
   const LatticePoint behind = beside(-kBeside);
   if (!lies_before(t, before) || lies_before(t, behind)) return false;  // at the cell's side
-  const bool inside_before = inside(before);
-  const bool inside_behind = inside(behind);
-  if (inside_before == inside_behind) return inside_before || is_cut_off(before, behind);
-  return inside(beside(inside_before ? -reach_ : reach_));
+  const int state_before = state_at(before);
+  const int state_behind = state_at(behind);
+  const bool inside_before = inside(state_before);
+  if (inside_before == inside(state_behind)) {
+    return inside_before || is_cut_off(state_before, state_behind);
+  }
+  return inside(state_at(beside(inside_before ? -reach_ : reach_)));
 }
 
-// Tells of two points outside, on either side of a triangle, whether faces lie on each other there
-// that leave nothing between them: one solid begins where another one is cut off, or a part that is
-// turned inwards, such as a notch, ends where the part does that it is taken off.
-bool InnerTriangles::is_cut_off(const LatticePoint& before, const LatticePoint& behind) const {
-  if (surface_.several_solids()) return state_at(before) != state_at(behind);
+// Tells of the states of two points outside, on either side of a triangle, whether faces lie on
+// each other there that leave nothing between them: one solid begins where another one is cut off,
+// or a part that is turned inwards, such as a notch, ends where the part does that it is taken off.
+bool InnerTriangles::is_cut_off(int before, int behind) const {
+  if (surface_.several_solids()) return before != behind;
   return model_.leaves_slivers_out();
+}
+
+// Finds the crossings on the cell's lowest edge along axis 0, on which all ways begin.
+void InnerTriangles::find_first_crossings() {
+  first_crossings_.clear();
+  const LatticePoint& low = cell_->cell().lo;
+  line_members_.for_each(0, low, [&](MemberId m) {
+    const LatticeTriangle& t = cell_->corners(m);
+    const int normal = line_crosses(t, 0, low[1], low[2]);
+    if (normal == 0) return;
+    const std::int32_t plane = floor_of(crossing_position(t, 0, low[1], low[2]));
+    if (plane >= low[0]) first_crossings_.push_back({plane, cell_->triangle(m), normal > 0});
+  });
 }
 
 // Follows three grid lines from the cell's lowest corner.
 int InnerTriangles::state_at(const LatticePoint& point) const {
   LatticePoint at = cell_->cell().lo;
   int state = state_;
-  for (int axis = 0; axis < 3; ++axis) {
+  for (const FirstCrossing& crossing : first_crossings_) {
+    if (crossing.plane >= point[0]) continue;
+    state = model_.state_after(state, crossing.triangle, crossing.leaving);
+  }
+  at[0] = point[0];
+  for (int axis = 1; axis < 3; ++axis) {
     state = follow(axis, at, point[axis], state);
     at[axis] = point[axis];
   }

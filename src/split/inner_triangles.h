@@ -38,9 +38,17 @@ class InnerTriangles {
   void find_members_apart(const CellPieces& pieces, const Marks& crossing);
   bool near_another(const CellPieces& pieces, MemberId member) const;
   bool bounds_nothing(MemberId member, const Vec3& point) const;
-  bool is_cut_off(const LatticePoint& before, const LatticePoint& behind) const;
+  bool is_cut_off(int before, int behind) const;
+  void find_first_crossings();
   int state_at(const LatticePoint& point) const;
   int follow(int axis, const LatticePoint& from, std::int32_t to, int state) const;
+
+  // A crossing on the cell's lowest edge along axis 0.
+  struct FirstCrossing {
+    std::int32_t plane;  // the lattice plane below it
+    TriangleId triangle;
+    bool leaving;
+  };
 
   const Surface& surface_;
   InsideModel& model_;
@@ -50,6 +58,7 @@ class InnerTriangles {
   MemberGroups groups_;                         // of these
   std::vector<std::optional<bool>> answer_of_;  // per lowest member of such a group: all are inner
   LineMembers line_members_;
+  std::vector<FirstCrossing> first_crossings_;
   int state_ = 0;
 };
 

@@ -12,6 +12,12 @@ constexpr std::int64_t kMostColumns = 16;  // along an axis
 }  // namespace
 
 template <typename Visit>
+void LineMembers::for_each_strip(const LatticeBox& bounds, const Visit& visit) const {
+  const std::size_t last = column_of(bounds.hi[0], 0);
+  for (std::size_t i = column_of(bounds.lo[0], 0); i <= last; ++i) visit(i);
+}
+
+template <typename Visit>
 void LineMembers::for_each_column(const LatticeBox& bounds, const Visit& visit) const {
   const std::size_t last_0 = column_of(bounds.hi[0], 0);
   const std::size_t last_1 = column_of(bounds.hi[1], 1);
@@ -20,27 +26,36 @@ void LineMembers::for_each_column(const LatticeBox& bounds, const Visit& visit) 
   }
 }
 
+// `for_each_place(member, visit)` visits the places that a member is to be listed for.
+template <typename ForEachPlace>
+void LineMembers::Lists::fill(std::size_t places, Index members,
+                              const ForEachPlace& for_each_place) {
+  first.assign(places + 1, 0);
+  for (MemberId m = 0; m < members; ++m) {
+    for_each_place(m, [&](std::size_t place) { ++first[place]; });
+  }
+  Index end = 0;
+  for (Index& number : first) number = end += number;
+  all.resize(end);
+  for (MemberId m = members; m-- > 0;) {
+    for_each_place(m, [&](std::size_t place) { all[--first[place]] = m; });
+  }
+}
+
 void LineMembers::list(const CellTriangles& cell) {
   box_ = cell.cell();
-  for (std::vector<MemberId>& members : on_first_) members.clear();
+  on_first_edge_.clear();
   for (MemberId m = 0; m < cell.size(); ++m) {
     const LatticeBox& bounds = cell.bounds(m);
-    if (bounds.lo[2] > box_.lo[2]) continue;
-    on_first_[1].push_back(m);
-    if (bounds.lo[1] <= box_.lo[1]) on_first_[0].push_back(m);
+    if (bounds.lo[2] <= box_.lo[2] && bounds.lo[1] <= box_.lo[1]) on_first_edge_.push_back(m);
   }
   columns_ =
       std::clamp(static_cast<std::int64_t>(std::sqrt(cell.size())), std::int64_t{1}, kMostColumns);
-  first_.assign(columns_ * columns_ + 1, 0);
-  for (MemberId m = 0; m < cell.size(); ++m) {
-    for_each_column(cell.bounds(m), [&](std::size_t column) { ++first_[column]; });
-  }
-  Index end = 0;
-  for (Index& first : first_) first = end += first;
-  in_columns_.resize(end);
-  for (MemberId m = cell.size(); m-- > 0;) {
-    for_each_column(cell.bounds(m), [&](std::size_t column) { in_columns_[--first_[column]] = m; });
-  }
+  in_strips_.fill(columns_, cell.size(), [&](MemberId m, const auto& visit) {
+    if (cell.bounds(m).lo[2] <= box_.lo[2]) for_each_strip(cell.bounds(m), visit);
+  });
+  in_columns_.fill(columns_ * columns_, cell.size(),
+                   [&](MemberId m, const auto& visit) { for_each_column(cell.bounds(m), visit); });
 }
 
 }  // namespace kdm

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
+#include <span>
 #include <vector>
 
 #include "split/cell_triangles.h"
@@ -22,15 +22,29 @@ class LineMembers {
   /// grid line through `point`; ascending.
   template <typename Visit>
   void for_each(int axis, const LatticePoint& point, const Visit& visit) const {
-    if (axis < 2) {
-      for (const MemberId m : on_first_[axis]) visit(m);
-      return;
+    if (axis == 0) {
+      for (const MemberId m : on_first_edge_) visit(m);
+    } else if (axis == 1) {
+      for (const MemberId m : in_strips_.of(column_of(point[0], 0))) visit(m);
+    } else {
+      const std::size_t column = column_of(point[0], 0) * columns_ + column_of(point[1], 1);
+      for (const MemberId m : in_columns_.of(column)) visit(m);
     }
-    const std::size_t column = column_of(point[0], 0) * columns_ + column_of(point[1], 1);
-    for (Index i = first_[column]; i < first_[column + 1]; ++i) visit(in_columns_[i]);
   }
 
  private:
+  // The members at each of some places, ascending.
+  struct Lists {
+    std::vector<Index> first;  // per place where its members begin in `all`; last, their number
+    std::vector<MemberId> all;
+
+    std::span<const MemberId> of(std::size_t place) const {
+      return {all.data() + first[place], first[place + 1] - first[place]};
+    }
+    template <typename ForEachPlace>
+    void fill(std::size_t places, Index members, const ForEachPlace& for_each_place);
+  };
+
   // Bounds of members are rounded outwards, so positions may lie beside the cell.
   std::size_t column_of(std::int32_t position, int axis) const {
     const std::int64_t width = std::int64_t{box_.hi[axis]} - box_.lo[axis];
@@ -38,14 +52,17 @@ class LineMembers {
     return static_cast<std::size_t>(within * columns_ / (width + 1));
   }
   template <typename Visit>
+  void for_each_strip(const LatticeBox& bounds, const Visit& visit) const;
+  template <typename Visit>
   void for_each_column(const LatticeBox& bounds, const Visit& visit) const;
 
-  LatticeBox box_;                                 // of the cell
-  std::array<std::vector<MemberId>, 2> on_first_;  // at the cell's lowest edge; in its lowest side
-  // The cell is cut into columns along axis 2: so many along axis 0 and along axis 1.
+  LatticeBox box_;                       // of the cell
+  std::vector<MemberId> on_first_edge_;  // at the cell's lowest edge along axis 0
+  // The cell is cut into columns along axis 2: so many along axis 0 and along axis 1. Those along
+  // axis 0 cut its lowest side across axis 2 into strips.
   std::int64_t columns_ = 1;
-  std::vector<Index> first_;  // per column: where its members begin in `in_columns_`
-  std::vector<MemberId> in_columns_;
+  Lists in_strips_;
+  Lists in_columns_;
 };
 
 }  // namespace kdm
