@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // `npm run bench`: sets up and hands over to tests/bench/bench.mjs, with the same arguments;
 // `npm run bench -- --compare COMMIT` to compare.mjs, `--cold-start` to cold_start.mjs, `--peers` to peers.mjs,
-// `--solids` to solids.mjs, `--counts` to counts.mjs, `--reduce` to reduce.mjs, `--whole` to whole.mjs.
+// `--solids` to solids.mjs, `--counts` to counts.mjs, `--reduce` to reduce.mjs,
+// `--drag` to drag.mjs, `--whole` to whole.mjs.
 import { run, setup } from './run.mjs';
 
 setup('wasm', 'native', 'test');
@@ -13,6 +14,7 @@ const others = {
   '--solids': 'solids',
   '--counts': 'counts',
   '--reduce': 'reduce',
+  '--drag': 'drag',
   '--whole': 'whole',
 };
 const script = others[first] ?? 'bench';

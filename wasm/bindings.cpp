@@ -17,11 +17,15 @@ EMSCRIPTEN_BINDINGS(kdmanifold) {
       .function("stats", &kdm::wasm::grid_stats)
       .function("input", &kdm::wasm::grid_input)
       .function("operands", &kdm::wasm::grid_operands);
+  class_<kdm::wasm::SceneOfMeshes>("BooleanScene")
+      .function("place", &kdm::wasm::place_in_scene)
+      .function("make", &kdm::wasm::make_of_scene);
   function("buildGrid", &kdm::wasm::build_grid);
   function("buildBooleanGrid", &kdm::wasm::build_boolean_grid);
   function("loadGrid", &kdm::wasm::load_grid);
   function("makeManifold", &kdm::wasm::make_manifold);
   function("makeSolids", &kdm::wasm::make_solids);
+  function("makeScene", &kdm::wasm::make_scene);
   function("simplifyMesh", &kdm::wasm::simplify_mesh);
   function("thicken", &kdm::wasm::thicken);
   function("describe", &kdm::wasm::describe);

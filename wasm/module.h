@@ -22,6 +22,13 @@ struct Solids {
   std::vector<Operand> operands;
 };
 
+/// Takes over 16 numbers, column by column.
+inline Transform to_transform(const val& from) {
+  Eigen::Matrix4d matrix;
+  copy_in(from, 16, matrix.data());
+  return matrix.topRows<3>();
+}
+
 /// Takes over an array of meshes that may have a `transform` of 16 numbers, column by column, and
 /// the word of an inside rule.
 inline Solids to_solids(val operands) {
@@ -33,11 +40,7 @@ inline Solids to_solids(val operands) {
     solids.meshes[i] = to_mesh(operand);
     Operand& given = solids.operands.emplace_back(solids.meshes[i]);
     const val transform = operand["transform"];
-    if (present(transform)) {
-      Eigen::Matrix4d matrix;
-      copy_in(transform, 16, matrix.data());
-      given.transform = matrix.topRows<3>();
-    }
+    if (present(transform)) given.transform = to_transform(transform);
     const val inside = operand["inside"];
     if (present(inside)) given.inside = to_choice<InsideRule>(inside, "inside");
   }
@@ -137,6 +140,32 @@ inline val make_solids(val operands, val expression, val options, val begin) {
     return from_manifold(make_solids_in_steps(to_expression(expression), solids.operands,
                                               to_make_options(options), to_steps(begin)));
   });
+}
+
+/// A scene with the meshes that it refers to.
+struct SceneOfMeshes {
+  std::vector<Mesh> meshes;
+  BooleanScene scene;
+};
+
+inline val make_scene(val operands, val expression, val options) {
+  return guard([&] {
+    Solids solids = to_solids(operands);
+    BooleanScene scene(to_expression(expression), solids.operands, to_make_options(options));
+    return val(SceneOfMeshes{std::move(solids.meshes), std::move(scene)});
+  });
+}
+
+inline val place_in_scene(SceneOfMeshes& scene, Index operand, val transform) {
+  return guard([&] {
+    scene.scene.place(
+        operand, present(transform) ? to_transform(transform) : Transform(Transform::Identity()));
+    return val::undefined();
+  });
+}
+
+inline val make_of_scene(SceneOfMeshes& scene, val begin) {
+  return guard([&] { return from_manifold(scene.scene.make_in_steps(to_steps(begin))); });
 }
 
 inline val make_from_grid(Grid& grid, val options, val begin) {

@@ -45,7 +45,10 @@ test('every function has an example, every parameter a text', () => {
   expect(lacking).toEqual([]);
 });
 
-const sources = ['make-manifold', 'load', 'life-cycle', 'library', 'grid'];
+const sources = [
+  ...['make-manifold', 'load', 'life-cycle', 'library', 'grid'],
+  ...['boolean-scene', 'open-boolean-scene'],
+];
 const examples = sources.flatMap((name) => {
   const text = readFileSync(join(root, `web/src/${name}.ts`), 'utf8');
   return [...text.matchAll(/@example\n((?: *\*.*\n)+?) *\*\//g)].map(([, lines], i) => [

@@ -3,11 +3,13 @@
 import {
   boolean,
   makeManifold,
+  openBooleanScene,
   type BuildOptions,
   type Conversion,
   type ExtractOptions,
   type JobOptions,
   type MeshInput,
+  type OpenBooleanScene,
 } from 'kdmanifold';
 import { Matrix4, Vector3 } from 'three';
 import type { Joined } from './second-model';
@@ -31,23 +33,42 @@ export function convertBoth(
       });
 }
 
-/** The same in a rough way, for as long as the second model is on the move. */
-export function convertCoarsely(
-  mesh: MeshInput,
-  second: Joined,
-  { relativeTolerance = 0, inside, windingThreshold, thicken, parts, signal }: Options,
-): Promise<Conversion> {
-  return boolean(second.operation, [mesh, second.mesh], {
-    relativeTolerance: Math.max(relativeTolerance, coarseTolerance),
-    inside,
-    windingThreshold,
-    thicken,
-    parts,
-    signal,
-    reduce: false,
-    strict: 'manifold',
-    transforms: [null, second.transform],
-  });
+/** The same in a rough way, for as long as the second model is on the move: of a result only what changes is made anew. */
+export class CoarseJoin {
+  #scene: OpenBooleanScene | null = null;
+  #meshes: MeshInput[] = [];
+  #settings = '';
+
+  convert(
+    mesh: MeshInput,
+    second: Joined,
+    { relativeTolerance = 0, inside, windingThreshold, thicken, parts }: Options,
+  ): Promise<Conversion> {
+    const options = {
+      relativeTolerance: Math.max(relativeTolerance, coarseTolerance),
+      inside,
+      windingThreshold,
+      thicken,
+      parts,
+      reduce: false,
+      strict: 'manifold',
+    } as const;
+    const meshes = [mesh, second.mesh];
+    const settings = JSON.stringify([second.operation, options]);
+    if (settings !== this.#settings || meshes.some((one, i) => one !== this.#meshes[i])) {
+      this.forget();
+      [this.#meshes, this.#settings] = [meshes, settings];
+    }
+    this.#scene ??= openBooleanScene(second.operation, meshes, options);
+    return this.#scene.update(1, second.transform);
+  }
+
+  /** Gives the memory back. */
+  forget(): void {
+    this.#scene?.close();
+    this.#scene = null;
+    [this.#meshes, this.#settings] = [[], ''];
+  }
 }
 
 /** Both meshes in one pair of arrays, where they are. */

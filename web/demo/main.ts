@@ -23,7 +23,7 @@ import type { Summary } from './findings';
 import { HeatPanel } from './heat-panel';
 import type { Reply, Source } from './inspect.worker';
 import { Inspector } from './inspector';
-import { convertBoth, convertCoarsely, together } from './join';
+import { CoarseJoin, convertBoth, together } from './join';
 import { Latest } from './latest';
 import type { Level } from './levels';
 import { LevelsPanel } from './levels-panel';
@@ -94,6 +94,7 @@ const second = new SecondModel(
 );
 // Rough results while the second model is dragged.
 const live = new Latest(convertRoughly);
+const coarse = new CoarseJoin();
 
 async function convert(): Promise<void> {
   live.stop();
@@ -109,6 +110,7 @@ async function convert(): Promise<void> {
     const options = readOptions();
     const { mesh } = input;
     const { joined } = second;
+    if (joined === null) coarse.forget();
     const conversion = await convertBoth(mesh, joined, {
       ...options,
       onProgress: showProgress,
@@ -157,8 +159,7 @@ async function convertRoughly(): Promise<void> {
   let mesh: Mesh | null = null;
   let words = 'Rough, until you let go.';
   try {
-    const options = { ...readOptions(), signal: mine.signal };
-    ({ mesh } = await convertCoarsely(input.mesh, joined, options));
+    ({ mesh } = await coarse.convert(input.mesh, joined, readOptions()));
   } catch (error) {
     // The whole conversion says why.
     words = `No result here (${describeError(error).replace(/:.*/s, '')}).`;

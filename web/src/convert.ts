@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One whole conversion on the calling thread. The worker runs it, and so does the calling thread where
 // there are no workers.
+import type { BooleanScene } from './boolean-scene.js';
 import { isReduced } from './check-combination.js';
 import type { CheckedReduce, CheckedReduction } from './check-input.js';
 import type { Grid } from './grid.js';
@@ -15,6 +16,7 @@ import type {
   BuildOptions,
   Conversion,
   ExtractOptions,
+  Mesh,
   MeshInput,
   ProgressCallback,
   Simplification,
@@ -45,17 +47,40 @@ export interface SimplifyOrder {
   reduce: CheckedReduce;
 }
 
+/** Solids that are kept from order to order, and where they go before the result is made. */
+export interface SceneOrder {
+  type: 'scene';
+  /** The solids, if there are none yet or others. */
+  setup: (Pick<ConvertOrder, 'build' | 'extract' | 'reduction'> & { subject: Solids }) | null;
+  places: readonly (readonly [operand: number, transform: Float64Array | null])[];
+}
+
 /** What can be asked of a worker. */
-export type Order = ConvertOrder | SimplifyOrder;
+export type Order = ConvertOrder | SimplifyOrder | SceneOrder;
+
+/** What is kept from order to order. */
+export interface Kept {
+  scene?: BooleanScene;
+}
 
 /** What it gives. */
 export type Outcome = Conversion | Simplification;
 
 /** Does what is ordered. */
-export function fulfil(library: KdManifold, order: Order, onProgress?: ProgressCallback): Outcome {
-  return order.type === 'convert'
-    ? convert(library, order, onProgress)
-    : simplify(library, order, onProgress);
+export function fulfil(
+  library: KdManifold,
+  order: Order,
+  onProgress?: ProgressCallback,
+  kept: Kept = {},
+): Outcome {
+  if (order.type === 'simplify') return simplify(library, order, onProgress);
+  if (order.type === 'scene') return convertScene(library, order, kept, onProgress);
+  const { subject, check } = order;
+  return convert(library, (steps) => make(library, order, steps), onProgress, {
+    solids: !('mesh' in subject),
+    account: (grid, result) =>
+      'mesh' in subject ? grid.compare(subject.mesh, result, { error: check }) : {},
+  });
 }
 
 // Measures the steps one after the other, in seconds.
@@ -71,6 +96,12 @@ class Laps {
   }
 }
 
+// How a result is held against what it was made of.
+interface Compared {
+  solids: boolean;
+  account: (grid: Grid, result: Mesh) => Partial<Account>;
+}
+
 // Makes the mesh, and the grid that must be freed.
 function make(
   library: KdManifold,
@@ -84,15 +115,35 @@ function make(
     : library.makeSolids(subject, options, shares, { onProgress, onStep });
 }
 
-// Makes the mesh, describes it and holds it against the input.
-function convert(
+// Makes the result of solids that are kept.
+function convertScene(
   library: KdManifold,
-  order: ConvertOrder,
+  { setup, places }: SceneOrder,
+  kept: Kept,
   onProgress?: ProgressCallback,
 ): Conversion {
-  const { subject, check } = order;
+  if (setup !== null) {
+    kept.scene?.delete();
+    delete kept.scene;
+    kept.scene = library.makeScene(setup.subject, setup);
+  }
+  const scene = kept.scene as BooleanScene;
+  for (const [operand, transform] of places) scene.place(operand, transform);
+  return convert(library, (steps) => scene.makeAll(steps), onProgress, {
+    solids: true,
+    account: () => ({}),
+  });
+}
+
+// Makes the mesh, describes it and, unless it is of several solids, holds it against the input.
+function convert(
+  library: KdManifold,
+  makeAll: (steps: StepOptions) => RawMade & { grid: Grid },
+  onProgress: ProgressCallback | undefined,
+  { solids, account: compare }: Compared,
+): Conversion {
   const laps = new Laps();
-  const { grid, levels, simplify, reduce, stats, report, ...result } = make(library, order, {
+  const { grid, levels, simplify, reduce, stats, report, ...result } = makeAll({
     ...(onProgress && {
       onProgress: (fraction, phase) => onProgress(makeShare * fraction, phase),
     }),
@@ -102,15 +153,14 @@ function convert(
   try {
     const described = library.describe(result);
     onProgress?.(makeShare + describeShare, 'compare');
-    const { warnings = [], ...account }: Partial<Account> =
-      'mesh' in subject ? grid.compare(subject.mesh, result, { error: check }) : {};
+    const { warnings = [], ...account } = compare(grid, result);
     onProgress?.(1, 'done');
     return {
       mesh: result,
       levels,
       report: {
         input: grid.input,
-        ...('mesh' in subject ? {} : { operands: grid.operands }),
+        ...(solids ? { operands: grid.operands } : {}),
         grid: stats,
         output: pick({ ...described, ...report }, outputKeys),
         simplify,

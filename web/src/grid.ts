@@ -10,6 +10,7 @@ import {
   checkSimplifyOptions,
   type CheckedReduction,
 } from './check-input.js';
+import { dispose } from './dispose.js';
 import { KdManifoldError } from './errors.js';
 import type { RawGrid, RawMade } from './kdmanifold.js';
 import { stepsOf, type Shares, type StepOptions } from './steps.js';
@@ -30,9 +31,6 @@ import type {
 } from './types.js';
 import type { OwnUint8Array } from './outside-types.js';
 
-// Node 20 has the symbol, not every browser has.
-const dispose: typeof Symbol.dispose = Symbol.dispose ?? Symbol.for('Symbol.dispose');
-
 // Where the steps of a reduced extraction begin and end.
 const extractShares: Shares = { extract: [0, 0.2], reduce: [0.2, 1] };
 
@@ -43,15 +41,23 @@ const extractShares: Shares = { extract: [0, 0.2], reduce: [0.2, 1] };
  */
 export class Grid {
   #raw: RawGrid | null;
-  readonly #registry: FinalizationRegistry<RawGrid>;
+  readonly #registry: FinalizationRegistry<{ delete(): void }>;
   readonly #health: Health;
 
   /** @internal */
-  static of(raw: RawGrid, registry: FinalizationRegistry<RawGrid>, health: Health): Grid {
+  static of(
+    raw: RawGrid,
+    registry: FinalizationRegistry<{ delete(): void }>,
+    health: Health,
+  ): Grid {
     return new Grid(raw, registry, health);
   }
 
-  private constructor(raw: RawGrid, registry: FinalizationRegistry<RawGrid>, health: Health) {
+  private constructor(
+    raw: RawGrid,
+    registry: FinalizationRegistry<{ delete(): void }>,
+    health: Health,
+  ) {
     this.#raw = raw;
     this.#registry = registry;
     this.#health = health;

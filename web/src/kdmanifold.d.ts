@@ -48,6 +48,13 @@ export interface RawGrid {
   delete(): void;
 }
 
+export interface RawScene {
+  /** Null: where the operand was given. */
+  place(operand: number, transform: Float64Array | null): Answer<undefined>;
+  make(begin: RawSteps): Answer<RawMade & { grid: RawGrid }>;
+  delete(): void;
+}
+
 /** What every module says about itself. */
 export interface RawInstance {
   memory(): { heapBytes: number; usedBytes: number };
@@ -73,6 +80,7 @@ export interface RawModule extends RawInstance {
     options: object,
     begin: RawSteps,
   ): Answer<RawMade & { grid: RawGrid }>;
+  makeScene(operands: Solid[], expression: Int32Array, options: object): Answer<RawScene>;
   simplifyMesh(mesh: PolygonMeshInput, options: object, begin: RawSteps): Answer<Simplified>;
   loadGrid(bytes: Uint8Array, name: string): Answer<RawGrid>;
   thicken(mesh: PolygonMeshInput, thickness: number): Answer<ParsedMesh>;

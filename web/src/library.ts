@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The synchronous interface: the loaded module with its functions.
+import { BooleanScene } from './boolean-scene.js';
 import { call, type Health } from './call.js';
+import { isReduced } from './check-combination.js';
 import {
   checkAnalyzeOptions,
   checkBuildOptions,
+  checkMakeOptions,
   checkMesh,
   checkPolygonMesh,
   checkReduceOptions,
@@ -14,10 +17,10 @@ import { KdManifoldError } from './errors.js';
 import type { BooleanExpression, BooleanOperation } from './expression.js';
 import { Grid } from './grid.js';
 import type { RawTools } from './kdmanifold-tools.js';
-import type { RawGrid, RawMade, RawModule } from './kdmanifold.js';
+import type { RawMade, RawModule } from './kdmanifold.js';
 import type { OwnUint8Array } from './outside-types.js';
 import { checkSolids, solidKeys, type SolidOptions, type Solids } from './solids.js';
-import { reducedShares, stepsOf, type Shares, type StepOptions } from './steps.js';
+import { plainShares, reducedShares, stepsOf, type Shares, type StepOptions } from './steps.js';
 import type {
   AnalyzeOptions,
   BuildOptions,
@@ -32,6 +35,7 @@ import type {
   PolygonMeshInput,
   ProgressOptions,
   ReduceOptions,
+  ReductionOptions,
   SelfIntersections,
   Simplified,
 } from './types.js';
@@ -72,7 +76,7 @@ export class KdManifold {
   #tools: RawTools | null = null;
   #lack: Error | null = null;
   readonly #health: Health = { broken: false };
-  readonly #registry = new FinalizationRegistry<RawGrid>((raw) => {
+  readonly #registry = new FinalizationRegistry<{ delete(): void }>((raw) => {
     if (!this.#health.broken) raw.delete();
   });
 
@@ -238,6 +242,52 @@ export class KdManifold {
       this.#raw.buildBooleanGrid(subject.solids, subject.expression, checked, progress),
     );
     return Grid.of(raw, this.#registry, this.#health);
+  }
+
+  /**
+   * Keeps meshes and what an expression says of them, so that each can be moved and the result made again in a fraction
+   * of the time: what is dragged is seen at once. `openBooleanScene` does the same in a worker.
+   *
+   * @param expression - an operation, which joins all operands from left to right, or an expression over their numbers
+   * @param operands - the meshes; their arrays are copied
+   * @param options - all that `boolean` can be told of building, extracting and reducing, and where the operands are at
+   *   first
+   * @returns the scene, which holds memory until `delete()`
+   * @throws {@link KdManifoldError} with `INVALID_MESH`, `INVALID_OPTION`, `OUT_OF_MEMORY`; what else is wrong with the
+   *   operands turns up with the first result
+   *
+   * @example
+   * ```js
+   * import { load } from 'kdmanifold';
+   *
+   * const part = { positions, indices };
+   * const scene = (await load()).booleanScene('difference', [part, part], { reduce: false });
+   * const mesh = scene.update(1, [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0.5, 0, 0, 1]);
+   * console.log(mesh.indices.length / 3);
+   * scene.delete();
+   * ```
+   */
+  booleanScene(
+    expression: BooleanOperation | BooleanExpression,
+    operands: readonly MeshInput[],
+    options: BuildOptions & ExtractOptions & ReductionOptions & SolidOptions = {},
+  ): BooleanScene {
+    return this.makeScene(
+      checkSolids(expression, operands, options),
+      checkMakeOptions(options, solidKeys),
+    );
+  }
+
+  /** @internal Does what `booleanScene` does, with operands and options that were checked. */
+  makeScene(
+    { solids, expression }: Solids,
+    { build, extract, reduction }: ReturnType<typeof checkMakeOptions>,
+  ): BooleanScene {
+    const raw = call(this.#health, undefined, () =>
+      this.#raw.makeScene(solids, expression, { ...build, ...extract, ...reduction }),
+    );
+    const shares = isReduced(reduction, build, extract) ? reducedShares : plainShares;
+    return BooleanScene.of(raw, solids.length, shares, this.#registry, this.#health);
   }
 
   /**

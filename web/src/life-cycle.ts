@@ -2,6 +2,7 @@
 // What comes before the first conversion and after the last.
 import { checkSource, sourceKeys, type LoadOptions, type WorkerOptions } from './load-options.js';
 import { KdManifoldError } from './errors.js';
+import { closeScenes } from './open-boolean-scene.js';
 import { shutDown, warmUp } from './worker/pool.js';
 
 /** Where from, and how many workers, for `preload`. */
@@ -34,7 +35,7 @@ export async function preload(options: PreloadOptions = {}): Promise<void> {
 }
 
 /**
- * Ends all workers and gives their memory back. Conversions that are under way reject with `ABORTED`.
+ * Ends all workers, closes all scenes and gives their memory back. Conversions that are under way reject with `ABORTED`.
  * What `load` gave stays usable, but is no longer kept; the next call of anything starts anew.
  *
  * @returns when the workers are gone
@@ -48,5 +49,6 @@ export async function preload(options: PreloadOptions = {}): Promise<void> {
  * ```
  */
 export async function close(): Promise<void> {
+  closeScenes();
   await shutDown();
 }

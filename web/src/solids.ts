@@ -70,6 +70,18 @@ function checkLength(name: string, given: unknown, operands: number): void {
   }
 }
 
+/** @internal Checks the place of one of so many operands. */
+export function checkPlace(
+  operand: number,
+  transform: ArrayLike<number> | null | undefined,
+  operands: number,
+): Float64Array | null {
+  if (!Number.isInteger(operand) || operand < 0 || operand >= operands) {
+    refuse(`operand: expected a whole number from 0 to ${operands - 1}, got ${String(operand)}`);
+  }
+  return checkTransform(transform);
+}
+
 function checkTransform(given: ArrayLike<number> | null | undefined): Float64Array | null {
   if (given === undefined || given === null) return null;
   if (typeof given !== 'object' || given.length !== 16) refuse('transform: expected 16 numbers');

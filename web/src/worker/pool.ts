@@ -176,7 +176,8 @@ function launch(source: Source): Seat {
   return { origin: originOf(source), port: open(source) };
 }
 
-async function open(source: Source): Promise<WorkerPort | null> {
+/** Starts a worker outside of the line; null: none can be started, which is told once. */
+export async function open(source: Source): Promise<WorkerPort | null> {
   const started = await start(source);
   if ('port' in started) return started.port;
   if (!warned) {
@@ -209,7 +210,8 @@ function keep(seat: Seat): void {
 
 const ignore = (): void => {};
 
-function end(port: WorkerPort): void {
+/** Ends a worker. `shutDown` waits for that. */
+export function end(port: WorkerPort): void {
   port.listen(ignore, ignore);
   const gone = port.terminate();
   ends.push(gone);

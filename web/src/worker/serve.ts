@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The worker's end of the protocol: a module worker in browsers, a worker thread in Node. This file
 // becomes kdmanifold-worker.js, in one piece, which needs no other file of the package.
-import { buffersOf, fulfil } from '../convert.js';
+import { buffersOf, fulfil, type Kept } from '../convert.js';
 import { isNode, nodeModule } from '../environment.js';
 import { KdManifoldError } from '../errors.js';
 import { instantiate } from '../instantiate.js';
@@ -22,6 +22,7 @@ const progressInterval = 30;
 
 function serve(post: Post): (request: Request) => Promise<void> {
   let library: KdManifold | undefined;
+  const kept: Kept = {};
   return async (request) => {
     try {
       if (request.type === 'start') {
@@ -30,12 +31,13 @@ function serve(post: Post): (request: Request) => Promise<void> {
         return;
       }
       let reported = 0;
-      const outcome = fulfil(library as KdManifold, request.order, (fraction, phase) => {
+      const onProgress = (fraction: number, phase: string): void => {
         const now = performance.now();
         if (now - reported < progressInterval && fraction < 1) return;
         reported = now;
         post({ type: 'progress', fraction, phase });
-      });
+      };
+      const outcome = fulfil(library as KdManifold, request.order, onProgress, kept);
       outcome.report.thread = 'worker';
       post({ type: 'done', outcome }, buffersOf(outcome.mesh, ...outcome.levels));
     } catch (error) {
