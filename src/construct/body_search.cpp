@@ -39,7 +39,7 @@ struct Part {
 class BodySearch {
  public:
   BodySearch(const Surface& surface, double tolerance)
-      : surface_(surface), part_of_(find_parts(surface.topology)), tolerance_(tolerance) {
+      : surface_(surface), part_of_(surface.part_of), tolerance_(tolerance) {
     if (part_of_.empty()) part_of_.assign(surface.triangles.size(), 0);
     measure();
   }

@@ -292,6 +292,7 @@ ExactParts take_exact_parts(Surface& surface, SolidStates& states, const BuildOp
   for (const Index part : bodies->part_of) taken.push_back(exact.test(bodies->body_of_part[part]));
   take_out(taken, surface);
   surface.topology.components -= result.parts;
+  surface.part_of = find_parts(surface.topology);
   return result;
 }
 

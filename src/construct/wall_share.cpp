@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "construct/wall_share.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "geometry/triangle.h"
@@ -69,6 +71,59 @@ bool passes(const Probe& probe, const Vec3& a, const Vec3& b, const Vec3& c) {
   return place > 0 && place <= 1 && s >= 0 && t >= 0 && s + t <= 1;
 }
 
+// Tells at once of most triangles that they are near no probe: a raster over all probes, whose
+// squares are marked where one may pass.
+class ProbeRaster {
+ public:
+  explicit ProbeRaster(const std::vector<Box>& probes) : marked_(kCells * kCells * kCells) {
+    for (const Box& probe : probes) {
+      grow(bounds_, probe.min);
+      grow(bounds_, probe.max);
+    }
+    for (const Box& probe : probes) {
+      for_each_cell(probe, [&](std::size_t cell) { return marked_.set(cell), false; });
+    }
+  }
+
+  bool may_meet(const Box& box) const {
+    for (int k = 0; k < 3; ++k) {
+      if (box.min[k] > bounds_.max[k] || box.max[k] < bounds_.min[k]) return false;
+    }
+    return for_each_cell(box, [&](std::size_t cell) { return marked_.test(cell); });
+  }
+
+ private:
+  static constexpr int kCells = 32;  // along each axis
+
+  int cell_of(double x, int axis) const {
+    const double width = bounds_.max[axis] - bounds_.min[axis];
+    const double place = width > 0 ? (x - bounds_.min[axis]) / width * kCells : 0;
+    return static_cast<int>(std::clamp(place, 0.0, kCells - 1.0));
+  }
+
+  // Visits the cells that a box meets, until `visit` returns true; returns whether it did.
+  template <typename Visit>
+  bool for_each_cell(const Box& box, const Visit& visit) const {
+    std::array<int, 3> lo;
+    std::array<int, 3> hi;
+    for (int k = 0; k < 3; ++k) {
+      lo[k] = cell_of(box.min[k], k);
+      hi[k] = cell_of(box.max[k], k);
+    }
+    for (int x = lo[0]; x <= hi[0]; ++x) {
+      for (int y = lo[1]; y <= hi[1]; ++y) {
+        for (int z = lo[2]; z <= hi[2]; ++z) {
+          if (visit(static_cast<std::size_t>((x * kCells + y) * kCells + z))) return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  Box bounds_;
+  Marks marked_;
+};
+
 }  // namespace
 
 double share_of_walls(std::span<const Triangle> triangles, const std::vector<Vec3>& points,
@@ -80,12 +135,15 @@ double share_of_walls(std::span<const Triangle> triangles, const std::vector<Vec
     grow(boxes[i], probes[i].from + probes[i].way);
   }
   const BoxTree tree(boxes);
+  const ProbeRaster raster(boxes);
   Marks meets_wall(probes.size());
   for (Index t = 0; t < triangles.size(); ++t) {
     const Vec3& a = points[triangles[t][0]];
     const Vec3& b = points[triangles[t][1]];
     const Vec3& c = points[triangles[t][2]];
-    tree.for_each_meeting(box_of(a, b, c), [&](Index i) {
+    const Box box = box_of(a, b, c);
+    if (!raster.may_meet(box)) continue;
+    tree.for_each_meeting(box, [&](Index i) {
       if (t != probes[i].triangle && passes(probes[i], a, b, c)) meets_wall.set(i);
     });
   }

@@ -159,7 +159,10 @@ SolidsGrid SolidsBuilder::build(double share, Faces wanted, const Progress& prog
     solids.push_back({prepare_faces(box_mesh(bounds), {.inside = InsideRule::kPositive}),
                       InsideRule::kPositive, kNone});
   }
-  JoinedSolids joined = join_solids(solids, options_);
+  JoinedSolids joined = join_solids(solids, options_, again_ ? Rounded::kKept : Rounded::kDropped);
+  for (std::size_t i = 0; i < given && again_; ++i) {
+    prepared_[solids[i].operand]->rounded = std::move(solids[i].rounded);
+  }
   SolidBits moved = 0;
   for (Index i = 0; i < solid_of_operand.size(); ++i) {
     Index& solid = solid_of_operand[i];

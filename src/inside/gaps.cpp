@@ -83,7 +83,7 @@ std::vector<Gap> find_gaps(const GridData& grid, const std::vector<LatticeBox>& 
 }  // namespace
 
 GapRule::GapRule(const Surface& surface, double tolerance, bool turns_count)
-    : surface_(surface), part_of_(find_parts(surface.topology)), widest_(widest_gap(tolerance)) {
+    : surface_(surface), part_of_(surface.part_of), widest_(widest_gap(tolerance)) {
   if (turns_count && !part_of_.empty()) find_inward_parts();
 }
 

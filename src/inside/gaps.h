@@ -52,8 +52,8 @@ class GapRule {
                        const ClassifiedCrossing& high) const;
 
   const Surface& surface_;
-  std::vector<Index> part_of_;  // per triangle; empty if there is one part
-  Marks inward_;                // per part: it is turned inwards; empty if none is
+  const std::vector<Index>& part_of_;  // per triangle; empty if there is one part
+  Marks inward_;                       // per part: it is turned inwards; empty if none is
   double widest_;
 };
 

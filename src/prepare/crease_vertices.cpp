@@ -3,6 +3,7 @@
 #include "prepare/crease_vertices.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "mesh/marks.h"
 
@@ -29,10 +30,13 @@ CreaseVertices::CreaseVertices(const Surface& surface, std::span<const Plane> pl
     on_crease.set(point);
     all_.push_back({point, surface.triangles[t][i]});
   });
+  if (all_.empty()) return;
+  std::vector<std::pair<PointId, TriangleId>> round;
+  for_each_corner([&](PointId point, TriangleId t, int) {
+    if (on_crease.test(point)) round.emplace_back(point, t);
+  });
   triangles_round_ = Groups(first_triangle.size(), [&](const auto& put) {
-    for_each_corner([&](PointId point, TriangleId t, int) {
-      if (on_crease.test(point)) put(point, t);
-    });
+    for (const auto& [point, t] : round) put(point, t);
   });
 }
 

@@ -48,9 +48,22 @@ double extent_of(std::span<const InputFaces* const> all, const Box& bounds) {
   return find_extent(triangles, points, topology, bounds).diagonal;
 }
 
+bool same(const Lattice& a, const Lattice& b) { return a.origin == b.origin && a.step == b.step; }
+
 template <typename T>
 void append(std::vector<T>& to, const std::vector<T>& from) {
   to.insert(to.end(), from.begin(), from.end());
+}
+
+// Numbers the parts of a solid after those of the solids before it.
+void append_parts(const Surface& solid, Surface& all) {
+  const Index first =
+      all.part_of.empty() ? 0 : 1 + *std::max_element(all.part_of.begin(), all.part_of.end());
+  if (solid.part_of.empty()) {
+    all.part_of.insert(all.part_of.end(), solid.triangles.size(), first);
+  } else {
+    for (const Index part : solid.part_of) all.part_of.push_back(first + part);
+  }
 }
 
 // Adds the triangles of a solid to those of others. No point and no side becomes theirs.
@@ -63,6 +76,7 @@ void append_solid(const Surface& solid, Index number, Index first_point, Surface
   append(all.points, solid.points);
   append(all.planes, solid.planes);
   append(all.source_faces, solid.source_faces);
+  append_parts(solid, all);
   for (const Triangle& t : solid.corners) {
     all.corners.push_back({t[0] + first_point, t[1] + first_point, t[2] + first_point});
   }
@@ -83,7 +97,8 @@ void append_solid(const Surface& solid, Index number, Index first_point, Surface
 
 }  // namespace
 
-JoinedSolids join_solids(std::vector<SolidFaces>& given, const BuildOptions& options) {
+JoinedSolids join_solids(std::vector<SolidFaces>& given, const BuildOptions& options,
+                         Rounded rounded) {
   const auto before = [&](Index a, Index b) { return compare(given[a], given[b]) < 0; };
   const std::vector<Index> order = in_order(given.size(), Order(before));
   JoinedSolids joined;
@@ -110,13 +125,20 @@ JoinedSolids join_solids(std::vector<SolidFaces>& given, const BuildOptions& opt
   for (Index solid = 0; solid < first_of_solid.size(); ++solid) {
     SolidFaces& one = given[first_of_solid[solid]];
     const auto next = points + static_cast<Index>(one.faces.points.size());
-    const Surface surface = surface_of(std::move(one.faces), all.lattice, false);
-    append_solid(surface, solid, points, all);
+    std::shared_ptr<const Surface> surface = one.rounded;
+    if (surface == nullptr || !same(surface->lattice, all.lattice)) {
+      surface = std::make_shared<Surface>(surface_of(std::move(one.faces), all.lattice, false));
+    }
+    append_solid(*surface, solid, points, all);
     points = next;
-    reports[solid] = surface.report;
+    reports[solid] = surface->report;
+    one.rounded = rounded == Rounded::kKept ? std::move(surface) : nullptr;
     joined.rules.push_back(one.inside);
     all.operand_of_solid.push_back(one.operand);
   }
+  const bool one_part =
+      std::all_of(all.part_of.begin(), all.part_of.end(), [](Index part) { return part == 0; });
+  if (one_part) all.part_of.clear();
   for (std::size_t i = 0; i < given.size(); ++i) {
     given[i].faces.report = reports[joined.solid_of_given[i]];
   }

@@ -129,6 +129,7 @@ Surface surface_of(InputFaces faces, const Lattice& lattice, bool sheet) {
   }
   find_planes(faces, points.exact, surface);
   surface.topology = std::move(faces.topology);
+  surface.part_of = find_parts(surface.topology);
   surface.corners = std::move(faces.triangles);
   surface.points = std::move(faces.points);
   surface.source_faces = std::move(faces.source_faces);

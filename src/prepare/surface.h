@@ -28,6 +28,8 @@ struct Surface {
   std::vector<Index> source_faces;  ///< as in InputFaces: the face that each triangle came from
   Marks degenerate;   ///< triangles without area on the lattice: no grid line crosses them
   Topology topology;  ///< which sides of the triangles are joined
+  /// Per triangle the number of its part (see `find_parts`); empty if there is one.
+  std::vector<Index> part_of;
   InputReport report;
   /// Of a Boolean operation: per triangle the number of its solid, and per solid the number of the
   /// operand that the user gave (kNone: it was invented). Otherwise empty.

@@ -37,6 +37,12 @@ bool is_wide(const ClippedPolygon& polygon) {
   return area.norm() > kLeastWidth * longest;
 }
 
+// Tells whether a triangle reaches out of its cell across the axis.
+bool reaches_out(const Outcodes& corners, int axis) {
+  const unsigned all = corners[0] | corners[1] | corners[2];
+  return (all >> 2 * axis & 3u) != 0;
+}
+
 LatticePoint nearest_in(const LatticeBox& box, const Vec3& point) {
   LatticePoint p;
   for (int i = 0; i < 3; ++i) {
@@ -199,8 +205,13 @@ int InnerTriangles::follow(int axis, const LatticePoint& from, std::int32_t to, 
     const LatticeTriangle& t = cell_->corners(m);
     const int normal = line_crosses(t, axis, from[u], from[v]);
     if (normal == 0) return;
-    const std::int32_t plane = floor_of(crossing_position(t, axis, from[u], from[v]));
-    if (plane < from[axis] || plane >= to) return;
+    // Of a triangle that lies between the two ends the crossing need not be found.
+    const bool between = bounds.lo[axis] > from[axis] && bounds.hi[axis] < to &&
+                         !reaches_out(cell_->outcodes(m), axis);
+    if (!between) {
+      const std::int32_t plane = floor_of(crossing_position(t, axis, from[u], from[v]));
+      if (plane < from[axis] || plane >= to) return;
+    }
     state = model_.state_after(state, cell_->triangle(m), normal > 0);
   });
   return state;

@@ -24,7 +24,7 @@ std::int32_t upper_bound_of(std::uint64_t extent) {
 }  // namespace
 
 PartCuts::PartCuts(const Surface& surface) {
-  if (surface.topology.components > 1) part_of_ = find_parts(surface.topology);
+  if (surface.topology.components > 1) part_of_ = surface.part_of;
   std::vector<Index> triangles_of(part_of_.size(), 0);  // per part
   for (const Index part : part_of_) ++triangles_of[part];
   in_small_part_.reserve(part_of_.size());

@@ -20,7 +20,7 @@ namespace kdm {
 /// called small and no plane is found.
 class PartCuts {
  public:
-  /// Finds the parts, in time nearly linear in the number of triangles.
+  /// Counts the triangles of the parts. Keeps a reference to the surface.
   explicit PartCuts(const Surface& surface);
 
   /// Tells whether all triangles of a cell's list belong to small parts: parts that have at most
@@ -37,8 +37,8 @@ class PartCuts {
   std::optional<Split> propose(std::span<const ListEntry> entries);
 
  private:
-  std::vector<Index> part_of_;  // per triangle: its part; empty if there is one
-  Marks in_small_part_;         // per triangle
+  std::span<const Index> part_of_;  // per triangle: its part; empty if there is one
+  Marks in_small_part_;             // per triangle
   // The lower and upper bound of each triangle in the list along one axis, in lattice units.
   std::vector<std::uint64_t> extents_;
 };
