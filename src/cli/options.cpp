@@ -233,6 +233,7 @@ void check_effects(const Command& command) {
   try {
     check_combination(command.build, given);
     check_combination(command.extract, given);
+    check_combination(command.reduction, given);
     reduces({command.build, command.extract, command.reduction});
   } catch (const Error& error) {
     throw UsageError(with_typed_names(command, error.what()));

@@ -145,6 +145,10 @@ std::string reduction_text(const RunReport& report) {
   if (report.simplified) {
     text += fmt::format("simpler  grid from {} cells to {}\n", report.simplified->cells_before,
                         report.simplified->cells);
+    if (report.simplified->removed_surfaces > 0) {
+      text += fmt::format("         {} thin parts removed, {} thin cavities filled\n",
+                          report.simplified->removed_parts, report.simplified->filled_cavities);
+    }
   }
   if (report.reduced) {
     text += fmt::format("reduced  from {} triangles to {}\n", report.reduced->triangles_before,

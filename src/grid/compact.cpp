@@ -49,9 +49,10 @@ class PlaneSelection {
 
 class Compaction {
  public:
-  Compaction(GridData& grid, DisjointSets& merged_cells)
+  Compaction(GridData& grid, DisjointSets& merged_cells, const Marks& gone)
       : grid_(grid),
         merged_cells_(merged_cells),
+        gone_(gone),
         cell_of_split_(cells_of_splits(grid)),
         new_split_(grid.splits(), kNone),
         new_hit_(grid.hits.size(), kNone) {}
@@ -74,7 +75,9 @@ class Compaction {
       if (cell_of_split_[k] == kNone) continue;
       new_split_[k] = splits++;
       for (int i = 0; i < 4; ++i) {
-        for (const HitId h : grid_.edge_hits(k, i)) new_hit_[h] = hits++;
+        for (const HitId h : grid_.edge_hits(k, i)) {
+          if (!gone_.test(h)) new_hit_[h] = hits++;
+        }
       }
     }
   }
@@ -122,6 +125,7 @@ class Compaction {
       if (new_split_[k] == kNone) continue;
       for (int i = 0; i < 4; ++i) {
         for (const HitId h : grid_.edge_hits(k, i)) {
+          if (new_hit_[h] == kNone) continue;
           const Hit hit = grid_.hits[h];
           grid_.hits[kept++] =
               Hit(hit.position, planes.number_of(hit.plane()), hit.leaving(), hit.reversed());
@@ -149,10 +153,17 @@ class Compaction {
 
   GridData& grid_;
   DisjointSets& merged_cells_;
+  const Marks& gone_;                  // hits that go though their edges stay
   std::vector<CellId> cell_of_split_;  // kNone: the split was removed
   std::vector<SplitId> new_split_;     // by old number; kNone: removed
   std::vector<HitId> new_hit_;         // by old number; kNone: dead
 };
+
+void number_again(GridData& grid, DisjointSets& merged_cells, const Marks& gone) {
+  Compaction(grid, merged_cells, gone).run();
+  grid.stats.ambiguous_faces = count_ambiguous_faces(grid);
+  count_stats(grid);
+}
 
 }  // namespace
 
@@ -166,9 +177,12 @@ void remove_split(GridData& grid, CellId cell, DisjointSets& merged_cells) {
 }
 
 void compact(GridData& grid, DisjointSets& merged_cells) {
-  Compaction(grid, merged_cells).run();
-  grid.stats.ambiguous_faces = count_ambiguous_faces(grid);
-  count_stats(grid);
+  number_again(grid, merged_cells, Marks(grid.hits.size()));
+}
+
+void remove_hits(GridData& grid, const Marks& gone) {
+  DisjointSets merged_cells(grid.cells.size());
+  number_again(grid, merged_cells, gone);
 }
 
 void compact(GridData& grid) {

@@ -14,6 +14,7 @@
 
 #include "grid/grid_data.h"
 #include "mesh/disjoint_sets.h"
+#include "mesh/marks.h"
 
 namespace kdm {
 
@@ -32,6 +33,12 @@ void remove_split(GridData& grid, CellId cell, DisjointSets& merged_cells);
 /// `remove_split` was given; it may be used no longer. Changes nothing of a built grid. Linear time
 /// and, beyond the grid, some bytes a cell and a hit.
 void compact(GridData& grid, DisjointSets& merged_cells);
+
+/// Removes the marked hits from a grid, and numbers it consecutively again, with its planes, rims
+/// and corners. No link may lead from a hit that goes to one that stays, and of hits that follow
+/// each other on an edge, or round a minimal face, those on both sides of the same stretch of
+/// material, or of void, must go. Cells stay. Linear time.
+void remove_hits(GridData& grid, const Marks& gone);
 
 /// Does the same to a grid from which no splits were removed; only planes can then be out of order.
 void compact(GridData& grid);

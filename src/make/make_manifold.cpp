@@ -2,6 +2,10 @@
 // Puts the steps together, and says what holds for the whole.
 #include "kdmanifold/make_manifold.h"
 
+#include <string>
+#include <string_view>
+#include <utility>
+
 #include "csg/build_grid.h"
 #include "csg/solids_builder.h"
 #include "extract/warnings.h"
@@ -50,6 +54,24 @@ void reduce_step(const Mesh& reference, const ReduceOptions& options, const Step
   if (made.report.crossings.value_or(0) > 0) {
     made.report.crossings = find_self_intersections(made).pairs;
   }
+}
+
+// Simplifies the grid. Errors name the options as they are called here.
+SimplifyReport simplify_step(Grid& grid, const ReductionOptions& options,
+                             const StepProgress& progress) try {
+  return simplify(grid,
+                  {.surface_error = options.simplify,
+                   .removed_material = options.remove_material,
+                   .added_material = options.add_material},
+                  begin(progress, MakeStep::kSimplify));
+} catch (const Error& error) {
+  std::string text = error.what();
+  for (const auto& [theirs, ours] : {std::pair("`removed_material`", "`remove_material`"),
+                                     std::pair("`added_material`", "`add_material`")}) {
+    const std::size_t at = text.find(theirs);
+    if (at != std::string::npos) text.replace(at, std::string_view(theirs).size(), ours);
+  }
+  throw Error(error.code(), text);
 }
 
 // Says what there is to warn of once the result is reduced.
@@ -168,8 +190,7 @@ MadeMesh make_from_grid(Grid& grid, const ExtractOptions& extract,
   const bool is_reduced = reduces(grid.stats(), extract, reduction);
   std::optional<SimplifyReport> simplified;
   if (reduction.simplify > 0) {
-    simplified =
-        simplify(grid, {.surface_error = reduction.simplify}, begin(progress, MakeStep::kSimplify));
+    simplified = simplify_step(grid, reduction, progress);
   }
   MadeMesh made = is_reduced ? extract_reduced(grid, extract,
                                                {.error = left_tolerance(grid.stats()),

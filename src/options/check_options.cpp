@@ -123,6 +123,13 @@ void check_combination(const ExtractOptions& options, const IsGiven& given) {
          given);
 }
 
+void check_combination(const ReductionOptions& options, const IsGiven& given) {
+  const char* const by_simplify = "only with `simplify`";
+  demand({{"remove_material", options.simplify > 0, by_simplify},
+          {"add_material", options.simplify > 0, by_simplify}},
+         given);
+}
+
 void check_options(const BuildOptions& options) {
   check_fields(options);
   const BuildOptions standard;
@@ -153,7 +160,12 @@ void check_options(const ExtractOptions& options) {
   });
 }
 
-void check_options(const ReductionOptions& options) { check_fields(options); }
+void check_options(const ReductionOptions& options) {
+  check_fields(options);
+  check_combination(options, [&](std::string_view name) {
+    return (name == "remove_material" ? options.remove_material : options.add_material) > 0;
+  });
+}
 
 void check_options(const ReduceOptions& options) {
   check_fields(options);

@@ -173,6 +173,8 @@ test.each([...build, ...extract, ...reduction].map((option) => [option.name, opt
           '--cells': ['--strategy=octree'],
           '--crease-angle': ['--normals'],
           '--thicken-what': ['--thicken=1'],
+          '--remove-material': ['--simplify=1'],
+          '--add-material': ['--simplify=1'],
         }[flag] ?? [];
       for (const args of taken) {
         for (const line of tell([...args, ...beside]))

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Finds options that have no effect beside the others, as src/options/check_options.cpp does.
 import type { OptionSpec } from './option-spec.js';
-import { buildOptions, extractOptions } from './options.js';
+import { buildOptions, extractOptions, reductionOptions } from './options.js';
 import type { BuildOptions, ExtractOptions, ReductionOptions } from './types.js';
 
 /** An option without effect, and when it has one; names of other options stand in backticks. */
@@ -76,6 +76,13 @@ const extractRules: Rule<ExtractOptions>[] = [
   ['creaseAngle', ({ normals = false }) => !normals, 'only with `normals`'],
 ];
 
+const withoutSimplify = ({ simplify = 0 }: ReductionOptions): boolean => simplify === 0;
+
+const reductionRules: Rule<ReductionOptions>[] = [
+  ['removeMaterial', withoutSimplify, 'only with `simplify`'],
+  ['addMaterial', withoutSimplify, 'only with `simplify`'],
+];
+
 function find<Options extends object>(
   rules: Rule<Options>[],
   options: Options,
@@ -107,6 +114,12 @@ export const uselessOfExtract = (
   options: ExtractOptions,
   isGiven: (name: string) => boolean = differs({ ...options }, extractOptions),
 ): Useless | undefined => find(extractRules, options, isGiven);
+
+/** Returns the first option of reduction that differs from its default and has no effect. */
+export const uselessOfReduction = (
+  options: ReductionOptions,
+  isGiven: (name: string) => boolean = differs({ ...options }, reductionOptions),
+): Useless | undefined => find(reductionRules, options, isGiven);
 
 // What excludes reduction, as src/make/reduction_rule.cpp finds it.
 function obstacle(build: BuildOptions, extract: ExtractOptions): string | undefined {

@@ -3,6 +3,7 @@
 import {
   uselessOfBuild,
   uselessOfExtract,
+  uselessOfReduction,
   uselessReduction,
   type Useless,
 } from './check-combination.js';
@@ -319,7 +320,7 @@ export function checkReductionOptions(
   others: string[],
 ): CheckedReduction {
   const options: CheckedReduction = pick(given, reductionOptions, others);
-  refuseUseless(uselessReduction(options, build, extract));
+  refuseUseless(uselessOfReduction(options) ?? uselessReduction(options, build, extract));
   return options;
 }
 

@@ -143,10 +143,14 @@ export class Grid {
    * of the paper). The grid then takes less memory and fewer bytes, and `extract` makes fewer triangles of it. For few
    * triangles alone, `extract({ reduce })` does far more.
    *
-   * Calls add up: another one with the same `surfaceError` does nothing, one with a larger goes on. If the call throws,
-   * the grid is what it was.
+   * With `removedMaterial` or `addedMaterial`, thin bodies go first, or thin cavities are filled, and are counted: the
+   * surface then has `removedSurfaces` closed surfaces and `removedHandles` handles less. No other change of topology is
+   * ever taken: bars are not cut, tunnels and gaps that lead outside stay open. The distance holds for what is left.
    *
-   * @param options - `surfaceError`, which must be above 0, further limits, and a callback for progress
+   * Calls add up: another one with the same `surfaceError` removes no split, one with a larger goes on; what is thin goes
+   * in any call. If the call throws, the grid is what it was.
+   *
+   * @param options - `surfaceError`, which must be above 0, further limits, how thin is thin, and a callback for progress
    * @returns what was removed, and how far the surface may now be from what it was
    * @throws {@link KdManifoldError} with `INVALID_OPTION`, `EMPTY_RESULT`, `OUT_OF_MEMORY`, `ABORTED`, `DELETED`
    *

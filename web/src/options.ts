@@ -201,6 +201,18 @@ export interface ReductionOptions {
    * tolerance. For few triangles alone, `reduce` does far more. 0, the default: none.
    */
   simplify?: number;
+  /**
+   * With `simplify`: bodies go from the grid into which no ball fits that is wider than this, each
+   * with the cavities in it, in model units. Nothing is cut off a body that stays;
+   * `minimumThickness` does so. 0, the default: none.
+   */
+  removeMaterial?: number;
+  /**
+   * With `simplify`: cavities are filled into which no ball fits that is wider than this, once thin
+   * bodies have gone, in model units. Tunnels, and gaps that lead outside, stay open; `minimumGap`
+   * closes them. 0, the default: none.
+   */
+  addMaterial?: number;
 }
 
 /** How far a mesh is reduced. */
@@ -230,6 +242,16 @@ export interface SimplifyOptions {
    * plane that fits them best, in model units. 0, the default: no limit.
    */
   planeError?: number;
+  /**
+   * Bodies go into which no ball fits that is wider than this, each with the cavities in it, in
+   * model units. Nothing is cut off a body that stays. 0, the default: none.
+   */
+  removedMaterial?: number;
+  /**
+   * Cavities are filled into which no ball fits that is wider than this, once thin bodies have
+   * gone, in model units. Tunnels, and gaps that lead outside, stay open. 0, the default: none.
+   */
+  addedMaterial?: number;
 }
 
 /** What `KdManifold.analyze` looks for. */
@@ -304,6 +326,8 @@ export const reductionOptions: OptionTable<ReductionOptions> = {
   reduce: { flag: '--no-reduce', kind: 'boolean', default: true },
   targetTriangles: { flag: '--target-triangles', kind: 'numbers', least: 1 },
   simplify: { flag: '--simplify', kind: 'number', least: 0, default: 0 },
+  removeMaterial: { flag: '--remove-material', kind: 'number', least: 0, default: 0 },
+  addMaterial: { flag: '--add-material', kind: 'number', least: 0, default: 0 },
 };
 
 /** @internal */
@@ -316,6 +340,8 @@ export const reduceOptions: OptionTable<ReduceOptions> = {
 export const simplifyOptions: OptionTable<SimplifyOptions> = {
   surfaceError: { flag: '--surface-error', kind: 'number', least: 0, default: 0 },
   planeError: { flag: '--plane-error', kind: 'number', least: 0, default: 0 },
+  removedMaterial: { flag: '--removed-material', kind: 'number', least: 0, default: 0 },
+  addedMaterial: { flag: '--added-material', kind: 'number', least: 0, default: 0 },
 };
 
 /** @internal */

@@ -220,6 +220,14 @@ export interface SimplifyReport {
    * been allowed. In model units.
    */
   allowedError: number;
+  /** Thin bodies that went, each with the cavities in it. */
+  removedParts: number;
+  /** Thin cavities that were filled. */
+  filledCavities: number;
+  /** Closed surfaces that bounded these bodies and cavities. */
+  removedSurfaces: number;
+  /** Handles that these surfaces had. */
+  removedHandles: number;
 }
 
 /** How a mesh was reduced. */

@@ -30,6 +30,9 @@ struct ReductionOptions {
   /// less memory and fewer bytes. The distance comes on top of the tolerance. 0: the grid stays as
   /// it is.
   double simplify = 0;
+  /// Only with `simplify`: `removed_material` and `added_material` of `SimplifyOptions`.
+  double remove_material = 0;
+  double add_material = 0;
   /// Groups of the input's faces that are to stay apart when the result is reduced, such as those
   /// of materials (see `ReduceOptions::keep_groups`): one for each number that `source_faces` of
   /// the result may have. Lines between them stay within the tolerance of where the grid's own

@@ -369,6 +369,23 @@ void for_each_field(Options& options, Visit&& visit) {
                                "alone, `reduce` does far more.",
                     .unit = Unit::kModelUnits},
         options.simplify);
+  visit(OptionField{.name = "remove_material",
+                    .letter = "T",
+                    .help = "with `simplify`: bodies go from the grid into which no ball fits that "
+                            "is wider than this, each with the cavities in it",
+                    .zero = "none",
+                    .details = "Nothing is cut off a body that stays; `minimum_thickness` does so.",
+                    .unit = Unit::kModelUnits},
+        options.remove_material);
+  visit(OptionField{.name = "add_material",
+                    .letter = "T",
+                    .help = "with `simplify`: cavities are filled into which no ball fits that is "
+                            "wider than this, once thin bodies have gone",
+                    .zero = "none",
+                    .details = "Tunnels, and gaps that lead outside, stay open; `minimum_gap` "
+                               "closes them.",
+                    .unit = Unit::kModelUnits},
+        options.add_material);
 }
 
 /// See `for_each_field` of `BuildOptions`. Command lines do not have these.
@@ -404,6 +421,22 @@ void for_each_field(Options& options, Visit&& visit) {
                     .zero = "no limit",
                     .unit = Unit::kModelUnits},
         options.plane_error);
+  visit(OptionField{.name = "removed_material",
+                    .letter = "T",
+                    .help = "bodies go into which no ball fits that is wider than this, each with "
+                            "the cavities in it",
+                    .zero = "none",
+                    .details = "Nothing is cut off a body that stays.",
+                    .unit = Unit::kModelUnits},
+        options.removed_material);
+  visit(OptionField{.name = "added_material",
+                    .letter = "T",
+                    .help = "cavities are filled into which no ball fits that is wider than this, "
+                            "once thin bodies have gone",
+                    .zero = "none",
+                    .details = "Tunnels, and gaps that lead outside, stay open.",
+                    .unit = Unit::kModelUnits},
+        options.added_material);
 }
 
 /// See `for_each_field` of `BuildOptions`. Command lines, whose --stats looks for everything, do
@@ -438,5 +471,7 @@ using IsGiven = std::function<bool(std::string_view)>;
 void check_combination(const BuildOptions& options, const IsGiven& given);
 /// See above.
 void check_combination(const ExtractOptions& options, const IsGiven& given);
+/// See above.
+void check_combination(const ReductionOptions& options, const IsGiven& given);
 
 }  // namespace kdm

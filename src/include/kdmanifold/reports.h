@@ -295,6 +295,12 @@ void for_each_field(const SimplifyReport& report, Visit&& visit) {
                     "all calls have been allowed",
                     Unit::kModelUnits},
         report.allowed_error);
+  visit(ReportField{"removed_parts", "Thin bodies that went, each with the cavities in it"},
+        report.removed_parts);
+  visit(ReportField{"filled_cavities", "Thin cavities that were filled"}, report.filled_cavities);
+  visit(ReportField{"removed_surfaces", "Closed surfaces that bounded these bodies and cavities"},
+        report.removed_surfaces);
+  visit(ReportField{"removed_handles", "Handles that these surfaces had"}, report.removed_handles);
 }
 
 /// See `for_each_field` of `InputReport`.

@@ -13,6 +13,7 @@
 #include "kdmanifold/grid_io.h"
 #include "kdmanifold/thicken.h"
 #include "support/mesh_assert.h"
+#include "support/mesh_check.h"
 #include "support/shapes.h"
 #include "support/sheets.h"
 
@@ -278,6 +279,33 @@ TEST(MakeManifold, SimplifiesTheGridOnDemand) {
   // Calls add up: the same distance again leaves the grid as it is.
   EXPECT_EQ(make_from_grid(plain.grid, {}, options.reduction).simplified->removed_splits, 0u);
   EXPECT_EQ(load_grid(save_grid(plain.grid)).stats().simplified, kError);
+}
+
+// What goes counts as lost.
+TEST(MakeManifold, TakesThinPartsOutOfTheGrid) {
+  const Mesh big = shapes::icosphere(3);
+  const Mesh both =
+      shapes::merged({big, shapes::translated(shapes::icosphere(2, 0.1), Vec3(1.5, 0, 0))});
+  MakeOptions options = within(0.01);
+  options.reduction.simplify = 0.01;
+  options.reduction.remove_material = 0.25;
+  const MadeManifold made = make_manifold(both, options);
+  ASSERT_TRUE(made.simplified);
+  EXPECT_EQ(made.simplified->removed_parts, 1u);
+  EXPECT_EQ(check::check_mesh(made).components, 1);
+  EXPECT_GT(compare(both, made.grid, made).lost.area, 0.1);
+  const auto refusal = [&](const Mesh& mesh) -> std::string {
+    try {
+      make_manifold(mesh, options);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  options.reduction.remove_material = 2.5;
+  EXPECT_EQ(refusal(both), "all of the solid is thinner than `remove_material`");
+  options.build.inside = InsideRule::kSheet;
+  EXPECT_EQ(refusal(big), "`remove_material`: not of a sheet, which bounds no material");
 }
 
 TEST(MakeManifold, SimplifiesTheGridOfSolids) {

@@ -231,7 +231,11 @@ TEST(Options, WhatHasNoEffectIsRefusedByName) {
   EXPECT_EQ(refusal(ExtractOptions{.quads = true, .link_error = 1}),
             "`link_error`: not together with `quads`");
   EXPECT_EQ(refusal(ExtractOptions{.crease_angle = 20}), "`crease_angle`: only with `normals`");
+  EXPECT_EQ(refusal(ReductionOptions{.remove_material = 1}),
+            "`remove_material`: only with `simplify`");
+  EXPECT_EQ(refusal(ReductionOptions{.add_material = 1}), "`add_material`: only with `simplify`");
   // Defaults do no harm.
+  EXPECT_EQ(refusal(ReductionOptions{.simplify = 1, .remove_material = 1, .add_material = 1}), "");
   EXPECT_EQ(refusal(BuildOptions{.tolerance = 0.1, .relative_tolerance = 0.001}), "");
   EXPECT_EQ(refusal(ExtractOptions{.quads = true}), "");
   EXPECT_EQ(refusal(ExtractOptions{.quads = true, .strict = Strict::kManifold}), "");

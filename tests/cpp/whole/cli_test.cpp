@@ -119,7 +119,8 @@ TEST_F(Cli, HelpListsTheOptions) {
          ++it) {
       options.insert(it->str());
     }
-    EXPECT_EQ(options, (std::set<std::string>{"--cells",
+    EXPECT_EQ(options, (std::set<std::string>{"--add-material",
+                                              "--cells",
                                               "--check",
                                               "--crease-angle",
                                               "--depth",
@@ -150,6 +151,7 @@ TEST_F(Cli, HelpListsTheOptions) {
                                               "--quads",
                                               "--quiet",
                                               "--relative-tolerance",
+                                              "--remove-material",
                                               "--save-grid",
                                               "--simplify",
                                               "--split-error",

@@ -206,6 +206,8 @@ const wrong = [
     ['a.obj', '--union', 'b.obj', '--minimum-gap', '1'],
     expect.stringMatching(/--minimum-gap: not for Boolean operations$/),
   ],
+  [['a.obj', '--remove-material', '1'], '--remove-material: only with --simplify'],
+  [['a.obj', '--addMaterial', '1'], '--addMaterial: only with --simplify'],
   [['a.obj', '--thicken-what', 'sheets'], '--thicken-what: only with --thicken'],
   [
     ['a.obj', '--thicken', '1', '--thickenWhat', 'sheets', '--inside', 'odd'],

@@ -229,6 +229,29 @@ test('--simplify makes the saved grid smaller, in both alike, also of a grid tha
     );
   }));
 
+test('--remove-material and --add-material take thin parts and cavities, in both alike', () =>
+  withFolder((folder) => {
+    const { positions, indices } = cube(0.4);
+    const cavity = { positions, indices: indices.slice().reverse() };
+    write(join(folder, 'a.obj'), together(cube(2), cube(0.2, [1.5, 0, 0]), cavity));
+    const args = ['a.obj', '-o', 'b.ply', '--force', '--tolerance', '0.01', '--simplify', '0.001'];
+    const limits = ['--remove-material', '0.25', '--add-material', '0.5'];
+    const counts = both([...args, ...limits, '--json'], { cwd: folder }).map((result) => {
+      expect(result).toMatchObject({ status: 0, stderr: '' });
+      return JSON.parse(result.stdout).simplify;
+    });
+    expect(counts[1]).toEqual(counts[0]);
+    expect(counts[0]).toMatchObject({
+      removedParts: 1,
+      filledCavities: 1,
+      removedSurfaces: 2,
+      removedHandles: 0,
+    });
+    const texts = both([...args, ...limits], { cwd: folder });
+    expect(withoutNumbers(texts[1].stdout)).toBe(withoutNumbers(texts[0].stdout));
+    expect(texts[0].stdout).toContain('         1 thin parts removed, 1 thin cavities filled\n');
+  }));
+
 test('--stats describes what cannot be built from, in both alike', () =>
   withFolder((folder) => {
     const { positions, indices } = together(cube(4), cube(2), torus());

@@ -5,7 +5,12 @@ import { standardStream, type FileFormat } from './formats.js';
 import { didYouMean, nearest } from './suggest.js';
 import { readSolids } from './solids.js';
 import { fileOptions, reportOptions, solidOptions } from './table.js';
-import { uselessOfBuild, uselessOfExtract, uselessReduction } from '../check-combination.js';
+import {
+  uselessOfBuild,
+  uselessOfExtract,
+  uselessOfReduction,
+  uselessReduction,
+} from '../check-combination.js';
 import type { CheckedReduction } from '../check-input.js';
 import { KdManifoldError } from '../errors.js';
 import { namesAGrid } from '../library.js';
@@ -217,6 +222,7 @@ function checkEffects(command: Command): void {
   const useless =
     uselessOfBuild(command.build, isGiven) ??
     uselessOfExtract(command.extract, isGiven) ??
+    uselessOfReduction(command.reduction, isGiven) ??
     uselessReduction(command.reduction, command.build, command.extract);
   if (useless) usageError(withTypedNames(command, `\`${useless.name}\`: ${useless.when}`));
 }

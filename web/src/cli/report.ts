@@ -199,6 +199,12 @@ function reductionLines({
     lines.unshift(`reduced  from ${reduce.trianglesBefore} triangles to ${reduce.triangles}`);
   }
   if (simplify) {
+    const { removedParts, filledCavities, removedSurfaces } = simplify;
+    if (removedSurfaces > 0) {
+      lines.unshift(
+        `         ${removedParts} thin parts removed, ${filledCavities} thin cavities filled`,
+      );
+    }
     lines.unshift(`simpler  grid from ${simplify.cellsBefore} cells to ${simplify.cells}`);
   }
   return lines;
