@@ -63,15 +63,15 @@ std::unique_ptr<GridData> without_thin(const GridData& data, const SimplifyOptio
   const auto take = [&](double thickness, bool material, const Progress& part) -> Index {
     if (thickness == 0) return 0;
     const GoneRegions gone = take_thin_regions(*out, thickness / data.lattice.step, material, part);
+    if (gone.regions > 0 && gone.left == 0) {
+      throw Error(ErrorCode::kEmptyResult, "all of the solid is thinner than `removed_material`");
+    }
     report.removed_surfaces += gone.surfaces;
     report.removed_handles += gone.handles;
     return gone.regions;
   };
   report.removed_parts =
       take(options.removed_material, true, part_of_progress(progress, 0, kThin / 2));
-  if (out->hits.empty() && out->exact.triangles.empty() && report.removed_parts > 0) {
-    throw Error(ErrorCode::kEmptyResult, "all of the solid is thinner than `removed_material`");
-  }
   report.filled_cavities =
       take(options.added_material, false, part_of_progress(progress, kThin / 2, kThin));
   if (report.removed_surfaces == 0) return nullptr;

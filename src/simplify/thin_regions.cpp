@@ -71,7 +71,11 @@ GoneRegions take_thin_regions(GridData& grid, double thickness, bool material,
   if (out.regions == 0) return out;
   const Marks gone = surfaces_of(regions, thin, material);
   for (Index s = 0; s < gone.size(); ++s) {
-    if (!gone.test(s) || regions.surfaces()[s].pillow) continue;
+    if (regions.surfaces()[s].pillow) continue;
+    if (!gone.test(s)) {
+      ++out.left;
+      continue;
+    }
     ++out.surfaces;
     out.handles += regions.surfaces()[s].handles;
   }

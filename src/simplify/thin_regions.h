@@ -12,6 +12,7 @@ struct GoneRegions {
   Index regions = 0;
   Index surfaces = 0;  ///< closed surfaces that bounded them
   Index handles = 0;   ///< that these had
+  Index left = 0;      ///< closed surfaces that there still are; pillows do not count
 };
 
 /// Takes all bodies of material out of a solid's grid into which no ball fits that is wider than

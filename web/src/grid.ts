@@ -144,8 +144,9 @@ export class Grid {
    * triangles alone, `extract({ reduce })` does far more.
    *
    * With `removedMaterial` or `addedMaterial`, thin bodies go first, or thin cavities are filled, and are counted: the
-   * surface then has `removedSurfaces` closed surfaces and `removedHandles` handles less. No other change of topology is
-   * ever taken: bars are not cut, tunnels and gaps that lead outside stay open. The distance holds for what is left.
+   * grid's surface then has `removedSurfaces` closed surfaces and `removedHandles` handles less, crumbs included, which
+   * `extract` leaves out anyway. No other change of topology is ever taken: bars are not cut, tunnels and gaps that lead
+   * outside stay open. The distance holds for what is left.
    *
    * Calls add up: another one with the same `surfaceError` removes no split, one with a larger goes on; what is thin goes
    * in any call. If the call throws, the grid is what it was.

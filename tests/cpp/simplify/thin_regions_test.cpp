@@ -206,6 +206,25 @@ TEST(ThinRegions, AreNotAll) {
   }
 }
 
+// Needles that grid edges meet here and there leave pillows, which are nothing that is left.
+TEST(ThinRegions, AreAllIfPillowsAreLeft) {
+  std::vector<Mesh> parts{box(Vec3(0, 0, 0), Vec3(1, 1, 1))};
+  for (int i = 0; i < 12; ++i) {
+    const Mesh needle = shapes::turned(box(Vec3(0, 0, 0), Vec3(0.02, 0.02, 1)));
+    parts.push_back(translated(needle, Vec3(1.5 + 0.13 * i, 0.07 * i, 0)));
+  }
+  Grid grid = build_grid(merged(parts), {.strategy = SplitStrategy::kUniform, .depth = 12});
+  ASSERT_GT(extract(grid, {.strict = Strict::kManifold}).report.dropped_pillows, 0u);
+  const std::vector<std::uint8_t> before = save_grid(grid);
+  try {
+    simplify(grid, {.surface_error = 0.05, .removed_material = 1.1});
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(), "all of the solid is thinner than `removed_material`");
+  }
+  EXPECT_EQ(save_grid(grid), before);
+}
+
 TEST(ThinRegions, AreNoMatterOfSheets) {
   Grid grid = build_grid(icosphere(2), {.tolerance = 0.02, .inside = InsideRule::kSheet});
   const std::vector<std::uint8_t> before = save_grid(grid);
