@@ -7,7 +7,7 @@
 namespace kdm {
 namespace {
 
-constexpr std::int64_t kMostColumns = 16;  // along an axis
+constexpr std::size_t kMostColumns = 16;  // along an axis
 
 }  // namespace
 
@@ -50,7 +50,7 @@ void LineMembers::list(const CellTriangles& cell) {
     if (bounds.lo[2] <= box_.lo[2] && bounds.lo[1] <= box_.lo[1]) on_first_edge_.push_back(m);
   }
   columns_ =
-      std::clamp(static_cast<std::int64_t>(std::sqrt(cell.size())), std::int64_t{1}, kMostColumns);
+      std::clamp(static_cast<std::size_t>(std::sqrt(cell.size())), std::size_t{1}, kMostColumns);
   in_strips_.fill(columns_, cell.size(), [&](MemberId m, const auto& visit) {
     if (cell.bounds(m).lo[2] <= box_.lo[2]) for_each_strip(cell.bounds(m), visit);
   });

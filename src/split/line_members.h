@@ -49,7 +49,7 @@ class LineMembers {
   std::size_t column_of(std::int32_t position, int axis) const {
     const std::int64_t width = std::int64_t{box_.hi[axis]} - box_.lo[axis];
     const std::int64_t within = std::clamp(position, box_.lo[axis], box_.hi[axis]) - box_.lo[axis];
-    return static_cast<std::size_t>(within * columns_ / (width + 1));
+    return static_cast<std::size_t>(within * static_cast<std::int64_t>(columns_) / (width + 1));
   }
   template <typename Visit>
   void for_each_strip(const LatticeBox& bounds, const Visit& visit) const;
@@ -60,7 +60,7 @@ class LineMembers {
   std::vector<MemberId> on_first_edge_;  // at the cell's lowest edge along axis 0
   // The cell is cut into columns along axis 2: so many along axis 0 and along axis 1. Those along
   // axis 0 cut its lowest side across axis 2 into strips.
-  std::int64_t columns_ = 1;
+  std::size_t columns_ = 1;
   Lists in_strips_;
   Lists in_columns_;
 };
