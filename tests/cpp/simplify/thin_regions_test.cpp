@@ -160,6 +160,31 @@ TEST(ThinRegions, AreJudgedOneByOne) {
   EXPECT_NEAR(checked(grid).volume, 4.18879 * 0.125, 0.03);
 }
 
+// What is thin about a body that is not stays: a bar between two blocks, a tunnel, the gap between
+// two plates.
+TEST(ThinRegions, AreNotParts) {
+  const Mesh block = box(Vec3(0, 0, 0), Vec3(1, 1, 1));
+  const Mesh bar = box(Vec3(0.5, 0.47, 0.47), Vec3(2.5, 0.52, 0.52));
+  const Mesh beam = box(Vec3(0.47, 0.47, -1), Vec3(0.52, 0.52, 2));
+  const std::vector<Grid> grids{
+      build_grid(merged({block, translated(block, Vec3(2, 0, 0)), bar}), {.tolerance = 0.01}),
+      build_csg_grid({block, beam}, difference(0, 1), {.tolerance = 0.01}),
+      build_grid(
+          merged({box(Vec3(0, 0, 0), Vec3(1, 1, 0.6)), box(Vec3(0, 0, 0.65), Vec3(1, 1, 1.3))}),
+          {.tolerance = 0.01})};
+  for (const Grid& built : grids) {
+    Grid grid = built;
+    const check::MeshCheck before = checked(grid);
+    const SimplifyReport report =
+        simplified(grid, {.surface_error = kNear, .removed_material = 0.5, .added_material = 0.5});
+    EXPECT_EQ(report.removed_surfaces, 0u);
+    const check::MeshCheck after = checked(grid);
+    EXPECT_EQ(after.components, before.components);
+    EXPECT_EQ(after.euler_characteristic, before.euler_characteristic);
+    EXPECT_NEAR(after.volume, before.volume, 0.02);
+  }
+}
+
 // The distance holds for what is left, and nothing of it has gone.
 TEST(ThinRegions, LeaveTheRestWithinTheDistance) {
   const Mesh big = icosphere(3);
