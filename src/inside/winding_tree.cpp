@@ -83,12 +83,17 @@ Index WindingTree::build(Index begin, Index end) {
   int axis = 0;
   (hi - lo).maxCoeff(&axis);
   const Index middle = begin + (end - begin) / 2;
-  std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
-                   [&](Index a, Index b) {
-                     const double x = alone_[a].centre[axis];
-                     const double y = alone_[b].centre[axis];
-                     return x != y ? x < y : a < b;
-                   });
+  const auto is_before = [&](Index a, Index b) {
+    const double x = alone_[a].centre[axis];
+    const double y = alone_[b].centre[axis];
+    return x != y ? x < y : a < b;
+  };
+  // Sums depend on the order in each half, which standard libraries choose: it stays as it was.
+  std::vector<TriangleId> halves(order_.begin() + begin, order_.begin() + end);
+  std::nth_element(halves.begin(), halves.begin() + (middle - begin), halves.end(), is_before);
+  const TriangleId first_above = halves[middle - begin];
+  std::stable_partition(order_.begin() + begin, order_.begin() + end,
+                        [&](TriangleId t) { return is_before(t, first_above); });
   build(begin, middle);
   const Index right = build(middle, end);
   nodes_[number].right = right;

@@ -6,10 +6,14 @@
 
 #include <Eigen/Geometry>
 
+#include <array>
 #include <cmath>
+#include <random>
+#include <vector>
 
 #include "geometry/predicates.h"
 #include "geometry/solid_angle.h"
+#include "inside/winding_tree.h"
 #include "prepare/surface.h"
 #include "support/random.h"
 #include "support/shapes.h"
@@ -258,6 +262,41 @@ TEST(WindingField, GradientIsThatOfAllTriangles) {
     sum /= 4 * 3.141592653589793;
     EXPECT_LT((field.gradient(p) - sum).norm(), 0.01 * sum.norm() + 0.3 / kLatticeSize);
   }
+}
+
+// Whatever a standard library does when it parts numbers: sums are the same everywhere.
+TEST(WindingTree, KeepsTheOrderOfTriangles) {
+  std::mt19937 random(1);
+  std::vector<LatticeTriangle> triangles(500);
+  for (LatticeTriangle& t : triangles) {
+    for (LatticePoint& p : t) {
+      for (std::int32_t& c : p) c = static_cast<std::int32_t>(random() % kLatticeSize);
+    }
+  }
+  const WindingTree tree(triangles);
+  std::vector<Index> open{0};
+  std::size_t seen = 0;
+  while (!open.empty()) {
+    const Index number = open.back();
+    open.pop_back();
+    const WindingTree::Node& node = tree.node(number);
+    if (node.right != 0) {
+      open.push_back(number + 1);
+      open.push_back(node.right);
+      continue;
+    }
+    const LatticeTriangle* last = nullptr;
+    const std::array<Index, 1> leaf{number};
+    tree.visit(
+        node.dipole.centre, leaf, [](const auto&, const Vec3&, double) {},
+        [](const auto&, const Vec3&, double) {},
+        [&](const LatticeTriangle& t) {
+          EXPECT_TRUE(last == nullptr || last < &t);
+          last = &t;
+          ++seen;
+        });
+  }
+  EXPECT_GT(seen, 400u);
 }
 
 }  // namespace
