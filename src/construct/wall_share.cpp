@@ -75,13 +75,14 @@ bool passes(const Probe& probe, const Vec3& a, const Vec3& b, const Vec3& c) {
 // squares are marked where one may pass.
 class ProbeRaster {
  public:
-  explicit ProbeRaster(const std::vector<Box>& probes) : marked_(kCells * kCells * kCells) {
+  explicit ProbeRaster(const std::vector<Box>& probes)
+      : marked_(std::size_t{kCells} * kCells * kCells) {
     for (const Box& probe : probes) {
       grow(bounds_, probe.min);
       grow(bounds_, probe.max);
     }
     for (const Box& probe : probes) {
-      for_each_cell(probe, [&](std::size_t cell) { return marked_.set(cell), false; });
+      for_each_cell(probe, [&](Index cell) { return marked_.set(cell), false; });
     }
   }
 
@@ -89,31 +90,31 @@ class ProbeRaster {
     for (int k = 0; k < 3; ++k) {
       if (box.min[k] > bounds_.max[k] || box.max[k] < bounds_.min[k]) return false;
     }
-    return for_each_cell(box, [&](std::size_t cell) { return marked_.test(cell); });
+    return for_each_cell(box, [&](Index cell) { return marked_.test(cell); });
   }
 
  private:
-  static constexpr int kCells = 32;  // along each axis
+  static constexpr Index kCells = 32;  // along each axis
 
-  int cell_of(double x, int axis) const {
+  Index cell_of(double x, int axis) const {
     const double width = bounds_.max[axis] - bounds_.min[axis];
     const double place = width > 0 ? (x - bounds_.min[axis]) / width * kCells : 0;
-    return static_cast<int>(std::clamp(place, 0.0, kCells - 1.0));
+    return static_cast<Index>(std::clamp(place, 0.0, kCells - 1.0));
   }
 
   // Visits the cells that a box meets, until `visit` returns true; returns whether it did.
   template <typename Visit>
   bool for_each_cell(const Box& box, const Visit& visit) const {
-    std::array<int, 3> lo;
-    std::array<int, 3> hi;
+    std::array<Index, 3> lo;
+    std::array<Index, 3> hi;
     for (int k = 0; k < 3; ++k) {
       lo[k] = cell_of(box.min[k], k);
       hi[k] = cell_of(box.max[k], k);
     }
-    for (int x = lo[0]; x <= hi[0]; ++x) {
-      for (int y = lo[1]; y <= hi[1]; ++y) {
-        for (int z = lo[2]; z <= hi[2]; ++z) {
-          if (visit(static_cast<std::size_t>((x * kCells + y) * kCells + z))) return true;
+    for (Index x = lo[0]; x <= hi[0]; ++x) {
+      for (Index y = lo[1]; y <= hi[1]; ++y) {
+        for (Index z = lo[2]; z <= hi[2]; ++z) {
+          if (visit((x * kCells + y) * kCells + z)) return true;
         }
       }
     }
