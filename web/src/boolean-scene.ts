@@ -2,8 +2,8 @@
 // The handle of solids that are moved, in WebAssembly memory.
 import { call, type Health } from './call.js';
 import { dispose } from './dispose.js';
-import { KdManifoldError } from './errors.js';
 import { Grid } from './grid.js';
+import { Held, type Registry } from './held.js';
 import type { RawMade, RawScene } from './kdmanifold.js';
 import { checkPlace } from './solids.js';
 import { stepsOf, type Shares, type StepOptions } from './steps.js';
@@ -17,20 +17,15 @@ export interface SceneMesh extends ExtractedMesh {
   simplify: SimplifyReport | null;
 }
 
-/** @internal What frees handles that were forgotten. */
-export type Registry = FinalizationRegistry<{ delete(): void }>;
-
 /**
  * Solids of which some are moved, and what an expression says of them: fast enough to drag them. Every result is that of
  * a new operation, to the byte; only what has changed is done again. It holds memory outside of JavaScript's reach: call
  * `delete()` when done with it (or declare it with `using`).
  */
 export class BooleanScene {
-  #raw: RawScene | null;
+  readonly #held: Held<RawScene>;
   readonly #operands: number;
   readonly #shares: Shares;
-  readonly #registry: Registry;
-  readonly #health: Health;
 
   /** @internal */
   static of(
@@ -50,12 +45,9 @@ export class BooleanScene {
     registry: Registry,
     health: Health,
   ) {
-    this.#raw = raw;
+    this.#held = new Held(this, raw, 'scene', registry, health);
     this.#operands = operands;
     this.#shares = shares;
-    this.#registry = registry;
-    this.#health = health;
-    registry.register(this, raw, this);
   }
 
   /**
@@ -77,9 +69,9 @@ export class BooleanScene {
    * ```
    */
   place(operand: number, transform: ArrayLike<number> | null): void {
-    const raw = this.#demand();
+    const raw = this.#held.get();
     const checked = checkPlace(operand, transform, this.#operands);
-    call(this.#health, undefined, () => raw.place(operand, checked));
+    call(this.#held.health, undefined, () => raw.place(operand, checked));
   }
 
   /**
@@ -138,11 +130,11 @@ export class BooleanScene {
 
   /** @internal Makes the result with its grid, which is the caller's. */
   makeAll({ onProgress, onStep }: StepOptions): RawMade & { grid: Grid } {
-    const raw = this.#demand();
-    const { grid, ...made } = call(this.#health, onProgress, (progress) =>
+    const raw = this.#held.get();
+    const { grid, ...made } = call(this.#held.health, onProgress, (progress) =>
       raw.make(stepsOf(progress, this.#shares, onStep)),
     );
-    return { ...made, grid: Grid.of(grid, this.#registry, this.#health) };
+    return { ...made, grid: Grid.of(grid, this.#held.registry, this.#held.health) };
   }
 
   /**
@@ -158,21 +150,11 @@ export class BooleanScene {
    * ```
    */
   delete(): void {
-    if (this.#raw === null) return;
-    this.#registry.unregister(this);
-    if (!this.#health.broken) this.#raw.delete();
-    this.#raw = null;
+    this.#held.free();
   }
 
   /** The same as `delete()`, for `using`. */
   [dispose](): void {
     this.delete();
-  }
-
-  #demand(): RawScene {
-    if (this.#raw === null) {
-      throw new KdManifoldError('DELETED', 'this scene has been deleted');
-    }
-    return this.#raw;
   }
 }

@@ -11,7 +11,7 @@ import {
   type CheckedReduction,
 } from './check-input.js';
 import { dispose } from './dispose.js';
-import { KdManifoldError } from './errors.js';
+import { Held, type Registry } from './held.js';
 import type { RawGrid, RawMade } from './kdmanifold.js';
 import { stepsOf, type Shares, type StepOptions } from './steps.js';
 import type {
@@ -40,43 +40,30 @@ const extractShares: Shares = { extract: [0, 0.2], reduce: [0.2, 1] };
  * some time after they have become unreachable.
  */
 export class Grid {
-  #raw: RawGrid | null;
-  readonly #registry: FinalizationRegistry<{ delete(): void }>;
-  readonly #health: Health;
+  readonly #held: Held<RawGrid>;
 
   /** @internal */
-  static of(
-    raw: RawGrid,
-    registry: FinalizationRegistry<{ delete(): void }>,
-    health: Health,
-  ): Grid {
+  static of(raw: RawGrid, registry: Registry, health: Health): Grid {
     return new Grid(raw, registry, health);
   }
 
-  private constructor(
-    raw: RawGrid,
-    registry: FinalizationRegistry<{ delete(): void }>,
-    health: Health,
-  ) {
-    this.#raw = raw;
-    this.#registry = registry;
-    this.#health = health;
-    registry.register(this, raw, this);
+  private constructor(raw: RawGrid, registry: Registry, health: Health) {
+    this.#held = new Held(this, raw, 'grid', registry, health);
   }
 
   /** What the grid was built from. */
   get input(): InputReport {
-    return this.#demand().input();
+    return this.#held.get().input();
   }
 
   /** What the operands of Boolean operations are; empty if the grid was built from one mesh. */
   get operands(): InputReport[] {
-    return this.#demand().operands();
+    return this.#held.get().operands();
   }
 
   /** The size of the grid. */
   get stats(): GridStats {
-    return this.#demand().stats();
+    return this.#held.get().stats();
   }
 
   /**
@@ -104,15 +91,17 @@ export class Grid {
   extract(
     options: ExtractOptions & ProgressOptions & { reduce?: ReduceOptions & GroupOptions } = {},
   ): ExtractedMesh {
-    const raw = this.#demand();
+    const raw = this.#held.get();
     const checked = checkExtractOptions(options, ['onProgress', 'reduce']);
     if (options.reduce !== undefined) {
       const reduce = checkReduceOptions(options.reduce, []);
-      return call(this.#health, options.onProgress, (progress) =>
+      return call(this.#held.health, options.onProgress, (progress) =>
         raw.extractReduced(checked, reduce, stepsOf(progress, extractShares)),
       );
     }
-    return call(this.#health, options.onProgress, (progress) => raw.extract(checked, progress));
+    return call(this.#held.health, options.onProgress, (progress) =>
+      raw.extract(checked, progress),
+    );
   }
 
   /**
@@ -124,10 +113,10 @@ export class Grid {
     reduction: CheckedReduction,
     { onProgress, onStep }: StepOptions,
   ): RawMade & { grid: Grid } {
-    const raw = this.#demand();
+    const raw = this.#held.get();
     const options = { ...extract, ...reduction };
     try {
-      const made = call(this.#health, onProgress, (progress) =>
+      const made = call(this.#held.health, onProgress, (progress) =>
         raw.make(options, stepsOf(progress, {}, onStep)),
       );
       return { ...made, grid: this };
@@ -166,9 +155,11 @@ export class Grid {
    * ```
    */
   simplify(options: SimplifyOptions & ProgressOptions): SimplifyReport {
-    const raw = this.#demand();
+    const raw = this.#held.get();
     const checked = checkSimplifyOptions(options);
-    return call(this.#health, options.onProgress, (progress) => raw.simplify(checked, progress));
+    return call(this.#held.health, options.onProgress, (progress) =>
+      raw.simplify(checked, progress),
+    );
   }
 
   /**
@@ -192,10 +183,10 @@ export class Grid {
    * ```
    */
   compare(input: MeshInput, result: PolygonMeshInput, options: CompareOptions = {}): Account {
-    const raw = this.#demand();
+    const raw = this.#held.get();
     const { error = false } = checkCompareOptions(options);
     const [from, to] = [checkMesh(input), checkPolygonMesh(result)];
-    return call(this.#health, undefined, () => raw.compare(from, to, error));
+    return call(this.#held.health, undefined, () => raw.compare(from, to, error));
   }
 
   /**
@@ -216,8 +207,8 @@ export class Grid {
    * ```
    */
   save(): OwnUint8Array {
-    const raw = this.#demand();
-    return call(this.#health, undefined, () => raw.save());
+    const raw = this.#held.get();
+    return call(this.#held.health, undefined, () => raw.save());
   }
 
   /**
@@ -232,21 +223,11 @@ export class Grid {
    * ```
    */
   delete(): void {
-    if (this.#raw === null) return;
-    this.#registry.unregister(this);
-    if (!this.#health.broken) this.#raw.delete();
-    this.#raw = null;
+    this.#held.free();
   }
 
   /** The same as `delete()`, for `using`. */
   [dispose](): void {
     this.delete();
-  }
-
-  #demand(): RawGrid {
-    if (this.#raw === null) {
-      throw new KdManifoldError('DELETED', 'this grid has been deleted');
-    }
-    return this.#raw;
   }
 }
