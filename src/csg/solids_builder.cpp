@@ -134,11 +134,7 @@ std::vector<SolidFaces> SolidsBuilder::prepare(const Progress& progress) {
 
 // Tells whether cells of the last grid may be cells of this one. `states` keep their numbers then.
 bool SolidsBuilder::continues(const Frame& frame) const {
-  if (!former_.complete) return false;
-  return frame.lattice.origin == frame_.lattice.origin &&
-         frame.lattice.step == frame_.lattice.step && frame.tolerance == frame_.tolerance &&
-         frame.open_sides == frame_.open_sides && frame.solid_of_given == frame_.solid_of_given &&
-         frame.rules == frame_.rules && frame.solid_of == frame_.solid_of;
+  return former_.complete && frame == frame_;
 }
 
 SolidsGrid SolidsBuilder::build(double share, Faces wanted, const Progress& progress) try {

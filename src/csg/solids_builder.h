@@ -52,6 +52,8 @@ class SolidsBuilder {
     std::vector<Index> solid_of_given;
     std::vector<InsideRule> rules;
     std::vector<Index> solid_of;  // per triangle
+
+    bool operator==(const Frame&) const = default;
   };
 
   std::vector<SolidFaces> prepare(const Progress& progress);

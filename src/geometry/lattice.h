@@ -76,6 +76,8 @@ struct Lattice {
   Vec3 origin = Vec3::Zero();  ///< model coordinates of lattice point (0, 0, 0)
   double step = 1;             ///< model units per lattice unit
 
+  bool operator==(const Lattice&) const = default;
+
   /// Returns lattice coordinates, not rounded.
   Vec3 to_lattice(const Vec3& model) const { return (model - origin) / step; }
   /// Returns model coordinates.

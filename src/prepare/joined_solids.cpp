@@ -48,8 +48,6 @@ double extent_of(std::span<const InputFaces* const> all, const Box& bounds) {
   return find_extent(triangles, points, topology, bounds).diagonal;
 }
 
-bool same(const Lattice& a, const Lattice& b) { return a.origin == b.origin && a.step == b.step; }
-
 template <typename T>
 void append(std::vector<T>& to, const std::vector<T>& from) {
   to.insert(to.end(), from.begin(), from.end());
@@ -126,7 +124,7 @@ JoinedSolids join_solids(std::vector<SolidFaces>& given, const BuildOptions& opt
     SolidFaces& one = given[first_of_solid[solid]];
     const auto next = points + static_cast<Index>(one.faces.points.size());
     std::shared_ptr<const Surface> surface = one.rounded;
-    if (surface == nullptr || !same(surface->lattice, all.lattice)) {
+    if (surface == nullptr || surface->lattice != all.lattice) {
       surface = std::make_shared<Surface>(surface_of(std::move(one.faces), all.lattice, false));
     }
     append_solid(*surface, solid, points, all);
