@@ -53,7 +53,7 @@ Collapser::Collapser(Workpiece& piece)
   add_quadrics();
   if (lines_.any()) add_line_quadrics();
   for (SideId h = 0; h < version_.size(); ++h) {
-    if (is_edge(h)) consider(h);
+    if (piece_.mesh.is_edge(h)) consider(h);
   }
 }
 
@@ -129,10 +129,6 @@ void Collapser::push(SideId edge, CollapsePlace place) {
   // Nothing else bounds the distance of small areas: what is far off costs more there than by area.
   if (!piece_.distance && sum.weight() > 0) cost /= std::sqrt(sum.weight());
   queue_.push({static_cast<float>(cost), edge, version_[edge], place});
-}
-
-bool Collapser::is_edge(SideId side) const {
-  return !piece_.mesh.is_removed(triangle_of(side)) && piece_.mesh.edge(side) == side;
 }
 
 void Collapser::consider(SideId edge) {
@@ -308,7 +304,7 @@ bool Collapser::is_flat(SideId edge) const {
 bool Collapser::retry_waiting_edges() {
   for (const SideId edge : waiting_edges_) {
     waiting_.clear(edge);
-    if (!failed_.test(edge) || !is_edge(edge)) continue;
+    if (!failed_.test(edge) || !piece_.mesh.is_edge(edge)) continue;
     ++version_[edge];
     consider(edge);
   }
@@ -322,7 +318,7 @@ void Collapser::collapse_to(Index triangles, const std::function<void()>& betwee
     if (queue_.empty() && !retry_waiting_edges()) break;
     const Candidate next = queue_.pop();
     const SideId edge = next.edge;
-    if (next.version != version_[edge] || !is_edge(edge)) continue;
+    if (next.version != version_[edge] || !piece_.mesh.is_edge(edge)) continue;
     if (steps++ % kStepsPerReport == 0) between();
     const Verdict verdict = try_step(edge, next.place);
     if (verdict == Verdict::kDone) continue;

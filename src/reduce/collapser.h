@@ -32,7 +32,6 @@ class Collapser {
 
   void add_quadrics();
   void add_line_quadrics();
-  bool is_edge(SideId side) const;  // and the one by which the edge is known
   void consider(SideId edge);
   void push(SideId edge, CollapsePlace place);
   Vec3 point_of(SideId edge, CollapsePlace place, const ErrorQuadric& sum) const;

@@ -183,15 +183,13 @@ bool CrossingGuard::would_meet(const std::array<TriangleId, 2>& places,
   return meet;
 }
 
-void CrossingGuard::changed(TriangleId t) { put_off(t); }
-
 void CrossingGuard::collapsed(const CollapseRing& ring) {
-  for (const TriangleId t : ring.gone) put_off(t);
-  for (const RingTriangle& t : ring.triangles) put_off(t.number);
+  for (const TriangleId t : ring.gone) changed(t);
+  for (const RingTriangle& t : ring.triangles) changed(t.number);
 }
 
 // Many triangles change several times before the tree is asked again.
-void CrossingGuard::put_off(TriangleId t) {
+void CrossingGuard::changed(TriangleId t) {
   if (!is_put_off_.test_and_set(t)) put_off_.push_back(t);
 }
 

@@ -28,7 +28,7 @@ class CrossingGuard {
 
   /// Makes known that the ring's triangles are what the last step left.
   void collapsed(const CollapseRing& ring);
-  /// Makes known that a triangle's corners are others now.
+  /// Makes known that a triangle's corners are others now, or that it is gone.
   void changed(TriangleId t);
 
  private:
@@ -39,7 +39,6 @@ class CrossingGuard {
     Vec3 doubled_area;
   };
 
-  void put_off(TriangleId t);
   void catch_up();
   void plan(const Triangle& numbers, const std::array<Vec3, 3>& corners);
   bool is_simple(const CollapseRing& ring);

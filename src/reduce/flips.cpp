@@ -33,7 +33,7 @@ class Flipper {
       std::swap(changed_, changed_before_);
       changed_.clear_all();
       for (SideId h = 0; h < sides; ++h) {
-        if (piece_.mesh.is_removed(triangle_of(h)) || piece_.mesh.edge(h) != h) continue;
+        if (!piece_.mesh.is_edge(h)) continue;
         if ((round > 0 && !has_changed(h)) || !smooth_.is_false_crease(h)) continue;
         if (flip_here(h)) {
           ++flips;
@@ -135,7 +135,7 @@ void find_crossing_creases(Workpiece& piece) {
   SmoothTest smooth(piece, piece.distance->creases);
   std::vector<std::array<Vec3, 2>> segments;
   for (SideId h = 0; h < 3 * piece.mesh.triangles(); ++h) {
-    if (piece.mesh.edge(h) != h || !smooth.is_false_crease(h)) continue;
+    if (!piece.mesh.is_edge(h) || !smooth.is_false_crease(h)) continue;
     if (!turns_in_reference(piece, h)) continue;
     segments.push_back({piece.positions[piece.mesh.start(h)], piece.positions[piece.mesh.end(h)]});
   }

@@ -40,6 +40,8 @@ class HalfEdges {
 
   /// The half-edge by which the edge of `h` is known: the lower one of the two.
   SideId edge(SideId h) const { return opposite_[h] < h ? opposite_[h] : h; }
+  /// Tells whether the half-edge is the one by which an edge of a triangle that is left is known.
+  bool is_edge(SideId h) const { return !is_removed(triangle_of(h)) && edge(h) == h; }
 
   /// Calls `visit(h)` for each half-edge that starts at the vertex, counter-clockwise.
   template <typename Visit>
