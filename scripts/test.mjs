@@ -97,6 +97,20 @@ const sanitized = [
   ],
 ];
 
+// What threads share, under ThreadSanitizer.
+const threads = [
+  'build/threads',
+  [
+    'CMAKE_BUILD_TYPE=None',
+    'CMAKE_CXX_COMPILER=clang++',
+    'CMAKE_CXX_FLAGS=-O1 -gline-tables-only',
+    'KDM_UNITY=ON',
+    'KDM_SANITIZE_THREADS=ON',
+    'KDM_BUILD_CLI=OFF',
+    'KDM_BUILD_TESTS=ON',
+  ],
+];
+
 // The other compiler, optimised: the same bytes must come out.
 const release = [
   'build/release',
@@ -116,6 +130,13 @@ const parts = {
       `${root}/build/sanitized/tests/cpp/kdmanifold_tests`,
     );
     check('fuzz targets, a few seconds', `${root}/build/sanitized/tests/fuzz/kdm_fuzz_smoke`, []);
+  },
+  async threads() {
+    cmake(...threads, { targets: ['kdmanifold_thread_tests'] });
+    await googleTest(
+      'C++ tests of threads, clang++, ThreadSanitizer',
+      `${root}/build/threads/tests/cpp/kdmanifold_thread_tests`,
+    );
   },
   // Reads the compile commands of the sanitized build.
   tidy() {

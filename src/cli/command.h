@@ -23,12 +23,13 @@ struct FileOptions {
   bool force = false;                             ///< overwrite files that exist
 };
 
-/// What is looked at and said.
+/// What is looked at and said, and by how many threads.
 struct ReportOptions {
   bool check = false;  ///< verify the output; exit status 1 if it is not 2-manifold
   bool stats = false;  ///< describe the input's defects
   bool json = false;   ///< print the report as JSON
   bool quiet = false;  ///< print nothing but errors
+  int threads = 0;     ///< that share the work; 0: as many as the machine runs at once
 };
 
 /// Stands for an option that may be given several times: what was given is kept in the order of the
@@ -116,6 +117,14 @@ void for_each_field(Options& report, Visit&& visit) {
                             "inputs, a list of reports"},
         report.json);
   visit(OptionField{.name = "quiet", .help = "print nothing but errors"}, report.quiet);
+  visit(
+      OptionField{.name = "threads",
+                  .letter = "N",
+                  .help = "how many threads share the work; results are the same with any number. "
+                          "In WebAssembly it is one, whatever is asked for",
+                  .range = {.least = 1, .most = kMostThreads},
+                  .unset = "as many as the machine runs at once"},
+      report.threads);
 }
 
 /// See above.

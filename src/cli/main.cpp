@@ -39,6 +39,7 @@ class Run {
         progress_(!command.report.quiet && isatty(STDERR_FILENO) != 0) {}
 
   int finish() {
+    set_thread_count(command_.report.threads);
     for (const Task& task : tasks_) perform(task);
     if (several() && command_.report.json) print(list_.dump(2) + "\n");
     if (printed_ > 0 && converts(command_) && !writes(command_.files)) {

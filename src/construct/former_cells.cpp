@@ -37,19 +37,20 @@ bool same_border(const CellBorder& a, const std::vector<ClassifiedCrossing>& cro
   return true;
 }
 
-void copy_splits(const FormerCells& former, CellId former_cell, CellId cell,
-                 std::vector<Cell>& cells, EdgeCrossings& crossings, FormerCells& notes) {
+void copy_splits(const FormerCells& former, CellId former_cell, CellId cell, MadeCells& made,
+                 FormerCells& notes) {
   const SplitId first = former.cells[former_cell].split();
   const SplitId end = former.splits[first].end;
-  const auto number = static_cast<SplitId>(cells.size() / 2);  // of the first split
+  const SplitId number = made.splits();  // of the first split
   const auto copy_of = [&](const Cell& old) {
     if (old.leaf()) return Cell();
     return Cell(2 * (old.split() - first + number) + 1, old.axis(), old.value());
   };
-  cells[cell] = copy_of(former.cells[former_cell]);
+  made.cells[cell] = copy_of(former.cells[former_cell]);
   for (CellId old = 2 * first + 1; old <= 2 * end; ++old)
-    cells.push_back(copy_of(former.cells[old]));
+    made.cells.push_back(copy_of(former.cells[old]));
   const std::vector<Index>& begin = former.crossings.edge_begin;
+  EdgeCrossings& crossings = made.crossings;
   const Index first_crossing = begin[4 * first];
   const auto shift = static_cast<Index>(crossings.all.size()) - first_crossing;
   crossings.all.insert(crossings.all.end(), former.crossings.all.begin() + first_crossing,
@@ -59,10 +60,9 @@ void copy_splits(const FormerCells& former, CellId former_cell, CellId cell,
   }
   notes.taken_over += end - first;
   const SplitNote& whole = former.splits[first];
-  const auto unresolved = static_cast<Index>(notes.unresolved.size()) - whole.unresolved_begin;
-  notes.unresolved.insert(notes.unresolved.end(),
-                          former.unresolved.begin() + whole.unresolved_begin,
-                          former.unresolved.begin() + whole.unresolved_end);
+  const auto unresolved = static_cast<Index>(made.unresolved.size()) - whole.unresolved_begin;
+  made.unresolved.insert(made.unresolved.end(), former.unresolved.begin() + whole.unresolved_begin,
+                         former.unresolved.begin() + whole.unresolved_end);
   for (SplitId split = first; split < end; ++split) {
     SplitNote& note = notes.splits.emplace_back(former.splits[split]);
     note.end += number - first;

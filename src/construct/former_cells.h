@@ -13,8 +13,7 @@
 #include <vector>
 
 #include "construct/cell_border.h"
-#include "grid/grid_data.h"
-#include "inside/crossing.h"
+#include "construct/made_cells.h"
 #include "prepare/surface.h"
 
 namespace kdm {
@@ -35,13 +34,10 @@ struct SplitNote {
 };
 
 /// All that one construction keeps for the next.
-struct FormerCells {
-  bool complete = false;    ///< it may be used: no budget was ever exceeded
-  std::vector<Cell> cells;  ///< without active sides
-  EdgeCrossings crossings;
+struct FormerCells : MadeCells {
+  bool complete = false;  ///< it may be used: no budget was ever exceeded
   std::vector<SplitNote> splits;
-  SplitId taken_over = 0;        ///< how many splits come from the construction before
-  std::vector<Vec3> unresolved;  ///< centres of leaves that did not pass the tests, in their order
+  SplitId taken_over = 0;  ///< how many splits come from the construction before
 };
 
 /// What a construction may take over, and what it is to keep.
@@ -65,9 +61,9 @@ bool same_border(const CellBorder& a, const std::vector<ClassifiedCrossing>& cro
                  const CellBorder& b, const std::vector<ClassifiedCrossing>& crossings_of_b,
                  const Surface& surface, SolidBits moved);
 
-/// Appends all splits within a cell of an earlier construction to what is constructed, where they
-/// are in `cell`. Nothing within that cell may have been made before.
-void copy_splits(const FormerCells& former, CellId former_cell, CellId cell,
-                 std::vector<Cell>& cells, EdgeCrossings& crossings, FormerCells& notes);
+/// Appends all splits within a cell of an earlier construction to what is made, where they are in
+/// `cell`, and to what is noted. Nothing within that cell may have been made before.
+void copy_splits(const FormerCells& former, CellId former_cell, CellId cell, MadeCells& made,
+                 FormerCells& notes);
 
 }  // namespace kdm

@@ -7,6 +7,7 @@
 // cells with the vertex agree on it.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -80,6 +81,13 @@ class InsideModel {
   /// Returns how much was computed so far to find states, in units of WindingField::work; 0 if
   /// states are only counted.
   virtual std::size_t work() const { return 0; }
+
+  /// Returns a model that gives the same answers, for another thread to ask. The states that this
+  /// one knows by now mean the same there, and its work begins with that of this one. Null: only
+  /// one thread may ask.
+  virtual std::unique_ptr<InsideModel> fork() const { return nullptr; }
+  /// Takes over from a fork what it found out, so that it need not be found again, and its work.
+  virtual void join(InsideModel& fork) { static_cast<void>(fork); }
 
   /// Writes to the statistics what the model chose itself, such as a winding threshold.
   virtual void report(GridStats& stats) const { static_cast<void>(stats); }

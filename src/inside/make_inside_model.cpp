@@ -44,6 +44,10 @@ class WindingModel final : public InsideModel {
     write_hits(planned, writer);
   }
 
+  std::unique_ptr<InsideModel> fork() const override {
+    return std::make_unique<WindingModel>(*this);
+  }
+
  private:
   InsideRule rule_;
   GapRule gaps_;
@@ -70,6 +74,8 @@ class SheetModel final : public InsideModel {
   void finish_edges(const EdgeCrossings& planned, HitWriter& writer) override {
     write_hits(planned, writer);
   }
+
+  std::unique_ptr<InsideModel> fork() const override { return std::make_unique<SheetModel>(*this); }
 };
 
 }  // namespace

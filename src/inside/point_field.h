@@ -2,6 +2,8 @@
 // What says of any point whether it is inside, for surfaces that do not say so by themselves.
 #pragma once
 
+#include <memory>
+
 #include "geometry/lattice.h"
 
 namespace kdm {
@@ -38,6 +40,10 @@ class PointField {
   virtual double threshold() const { return 0; }
   /// Returns how much was computed so far, in triangles summed up.
   virtual std::size_t work() const = 0;
+
+  /// Returns a field that gives the same answers, for another thread to ask. Its work begins with
+  /// that of this field. Null: only one thread may ask.
+  virtual std::shared_ptr<const PointField> fork() const { return nullptr; }
 };
 
 }  // namespace kdm

@@ -26,6 +26,7 @@ class SegmentResolver {
   /// The positions of invented crossings are exact to `precision`, in lattice units.
   SegmentResolver(const PointField& field, double precision)
       : field_(field), precision_(precision) {}
+  double precision() const { return precision_; }
 
   /// Sorts the crossings of a segment and appends them to `classified`; their states are 1 inside
   /// and 0 outside. Crossings that alternate and fit the segment's ends are all kept, and the field

@@ -12,10 +12,13 @@
 namespace kdm {
 namespace {
 
-class SolidsModel final : public InsideModel {
+class SolidsModel : public InsideModel {
  public:
   SolidsModel(const Surface& surface, SolidStates& states, double tolerance)
       : surface_(surface), states_(states), gaps_(surface, tolerance, true) {}
+  // The same model with other states, which must hold those of that one.
+  SolidsModel(const SolidsModel& other, SolidStates& states)
+      : surface_(other.surface_), states_(states), gaps_(other.gaps_) {}
 
   std::optional<bool> is_inside(int state) const override { return states_.is_inside(state); }
 
@@ -52,7 +55,11 @@ class SolidsModel final : public InsideModel {
     write_hits(planned, writer);
   }
 
+  std::unique_ptr<InsideModel> fork() const override;
+
  private:
+  class Fork;
+
   // Classifies crossings at one position, and returns the state above them. Taken together they
   // either bound the solid or not.
   int classify(std::span<const Crossing> found, int below,
@@ -96,6 +103,21 @@ class SolidsModel final : public InsideModel {
   SolidStates& states_;
   GapRule gaps_;
 };
+
+// One with states of its own. Those that are known so far keep their numbers.
+class SolidsModel::Fork final : public SolidsModel {
+ public:
+  explicit Fork(const SolidsModel& model)
+      : Fork(model, std::make_unique<SolidStates>(model.states_)) {}
+
+ private:
+  Fork(const SolidsModel& model, std::unique_ptr<SolidStates> states)
+      : SolidsModel(model, *states), own_states_(std::move(states)) {}
+
+  std::unique_ptr<SolidStates> own_states_;
+};
+
+std::unique_ptr<InsideModel> SolidsModel::fork() const { return std::make_unique<Fork>(*this); }
 
 }  // namespace
 

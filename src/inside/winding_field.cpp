@@ -55,7 +55,9 @@ bool is_behind(const LatticeTriangle& t, const LatticePoint& p) {
 
 WindingField::WindingField(std::span<const LatticeTriangle> triangles, double threshold,
                            double spacing)
-    : tree_(triangles), boxes_(tree_, kSpacingsInABox * spacing), threshold_(threshold) {
+    : tree_(std::make_shared<WindingTree>(triangles)),
+      boxes_(*tree_, kSpacingsInABox * spacing),
+      threshold_(threshold) {
   if (threshold_ == 0) threshold_ = choose_winding_threshold(*this, triangles);
 }
 
@@ -65,7 +67,7 @@ double WindingField::sum(const Vec3& p, std::span<const Index> roots,
                          const AddNear& add_near) const {
   double far = 0;
   AngleSum near;
-  work_ += tree_.visit(
+  work_ += tree_->visit(
       p, roots,
       [&](const WindingTree::Dipole& dipole, const Vec3& r, double square) {
         const double bent = r.dot(dipole.first * r) / square;
@@ -86,7 +88,7 @@ double WindingField::excess_with(const Vec3& p, const AddNear& add_near) const {
 }
 
 double WindingField::winding(const Vec3& p) const {
-  if (tree_.empty()) return 0;
+  if (tree_->empty()) return 0;
   constexpr std::array<Index, 1> kWholeTree{0};
   return sum(p, kWholeTree, AddAngle{p});
 }
@@ -107,7 +109,7 @@ bool WindingField::inside(const LatticePoint& p) const {
 Vec3 WindingField::gradient(const Vec3& p) const {
   const WindingBoxes::Box& box = boxes_.at(p);
   Vec3 sum = Vec3::Zero();
-  work_ += tree_.visit(
+  work_ += tree_->visit(
       p, box.near,
       [&](const WindingTree::Dipole& dipole, const Vec3& r, double square) {
         // The derivatives of the terms that `sum` adds up.

@@ -4,6 +4,7 @@
 // the fraction in which it sees them from the front.
 #pragma once
 
+#include <memory>
 #include <span>
 
 #include "inside/point_field.h"
@@ -45,13 +46,17 @@ class WindingField final : public PointField {
   /// triangle: they take as long.
   std::size_t work() const override { return work_; }
 
+  std::shared_ptr<const PointField> fork() const override {
+    return std::make_shared<WindingField>(*this);
+  }
+
  private:
   template <typename AddNear>
   double sum(const Vec3& p, std::span<const Index> roots, const AddNear& add_near) const;
   template <typename AddNear>
   double excess_with(const Vec3& p, const AddNear& add_near) const;
 
-  WindingTree tree_;
+  std::shared_ptr<const WindingTree> tree_;
   mutable WindingBoxes boxes_;
   double threshold_;
   mutable std::size_t work_ = 0;

@@ -7,6 +7,7 @@
 
 #include "grid/faces.h"
 #include "mesh/sort.h"
+#include "threads/share_work.h"
 
 namespace kdm {
 namespace {
@@ -39,21 +40,68 @@ struct WindingOracle::GridVertices {
   std::array<std::vector<std::uint64_t>, 3> lines;
 };
 
+// A hit that is to be written.
+struct WindingOracle::EdgeHit {
+  ClassifiedCrossing crossing;
+  Plane plane;  // if it is invented
+};
+
 WindingOracle::WindingOracle(const Surface& surface, std::shared_ptr<const PointField> field,
                              double tolerance)
     : surface_(surface), field_(std::move(field)), resolver_(*field_, precision_for(tolerance)) {}
 
-int WindingOracle::state_at(const LatticePoint& vertex, int counted) {
-  static_cast<void>(counted);
-  return inside(vertex) ? 1 : 0;
+WindingOracle::WindingOracle(const WindingOracle& other, std::shared_ptr<const PointField> field)
+    : surface_(other.surface_),
+      field_(std::move(field)),
+      resolver_(*field_, other.resolver_.precision()),
+      work_before_(field_->work()) {}
+
+std::unique_ptr<InsideModel> WindingOracle::fork() const {
+  std::unique_ptr<WindingOracle> oracle = fork_oracle();
+  return oracle;
 }
 
-bool WindingOracle::inside(const LatticePoint& vertex) {
-  if (on_root_side(vertex)) return false;
-  const auto [entry, is_new] =
+std::unique_ptr<WindingOracle> WindingOracle::fork_oracle() const {
+  std::shared_ptr<const PointField> field = field_->fork();
+  if (!field) return nullptr;
+  return std::unique_ptr<WindingOracle>(new WindingOracle(*this, std::move(field)));
+}
+
+void WindingOracle::join(InsideModel& fork) {
+  auto& oracle = static_cast<WindingOracle&>(fork);
+  known_states_.merge(oracle.known_states_);
+  joined_work_ += oracle.work() - oracle.work_before_;
+}
+
+// Calls ask(oracle, first, end) for ranges of numbers below `count`, on several threads if the
+// field can be asked by several.
+template <typename Ask>
+void WindingOracle::share(std::size_t count, const Ask& ask) {
+  constexpr std::size_t kNumbersPerPart = 512;
+  const std::size_t parts = count / kNumbersPerPart + 1;
+  const int threads = static_cast<int>(std::min(static_cast<std::size_t>(workers()), parts));
+  std::vector<std::unique_ptr<WindingOracle>> forks;  // for all threads but this one
+  while (static_cast<int>(forks.size()) + 1 < threads) {
+    forks.push_back(fork_oracle());
+    if (!forks.back()) return ask(*this, 0, count);
+  }
+  share_work(parts, [&](std::size_t part, int worker) {
+    WindingOracle& oracle = worker == 0 ? *this : *forks[static_cast<std::size_t>(worker) - 1];
+    ask(oracle, begin_of_part(count, part, parts), begin_of_part(count, part + 1, parts));
+  });
+  for (const std::unique_ptr<WindingOracle>& fork : forks) join(*fork);
+}
+
+int WindingOracle::state_at(const LatticePoint& vertex, int counted) {
+  static_cast<void>(counted);
+  const auto [known, is_new] =
       known_states_.try_emplace(pack(vertex[0], vertex[1], vertex[2]), false);
-  if (is_new) entry->second = field_->inside(vertex);
-  return entry->second;
+  if (is_new) known->second = find_state(vertex);
+  return known->second ? 1 : 0;
+}
+
+bool WindingOracle::find_state(const LatticePoint& vertex) const {
+  return !on_root_side(vertex) && field_->inside(vertex);
 }
 
 void WindingOracle::plan_edge(const GridEdge& edge, std::vector<Crossing>& found,
@@ -65,10 +113,27 @@ void WindingOracle::plan_edge(const GridEdge& edge, std::vector<Crossing>& found
 void WindingOracle::finish_edges(const EdgeCrossings& planned, HitWriter& writer) {
   const std::vector<LatticeBox> boxes = cell_boxes(writer.grid());
   const GridVertices vertices = find_vertices(writer.grid(), boxes);
-  for_each_splitting_edge(writer.grid(), boxes, [&](const SplittingEdge& edge) {
-    finish_edge(edge, vertices, planned.of(edge.number), writer);
-    writer.end_edge(edge);
+  std::vector<SplittingEdge> edges;
+  edges.reserve(4 * std::size_t{writer.grid().splits()});
+  for_each_splitting_edge(writer.grid(), boxes,
+                          [&](const SplittingEdge& edge) { edges.push_back(edge); });
+  std::vector<std::vector<EdgeHit>> hits(edges.size());
+  share(edges.size(), [&](WindingOracle& oracle, std::size_t first, std::size_t end) {
+    for (std::size_t i = first; i < end; ++i) {
+      oracle.finish_edge(edges[i], vertices, planned.of(edges[i].number), hits[i]);
+    }
   });
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    for (const EdgeHit& hit : hits[i]) {
+      const ClassifiedCrossing& c = hit.crossing;
+      if (c.triangle() == kNone) {
+        writer.add_invented(edges[i], c.position(), c.leaving(), hit.plane);
+      } else {
+        writer.add(edges[i], c);
+      }
+    }
+    writer.end_edge(edges[i]);
+  }
 }
 
 // The corners of all minimal faces.
@@ -81,15 +146,18 @@ WindingOracle::GridVertices WindingOracle::find_vertices(const GridData& grid,
   sort_numbers(points);
   points.erase(std::unique(points.begin(), points.end()), points.end());
   GridVertices result;
-  for (std::vector<std::uint64_t>& line : result.lines) line.reserve(points.size());
-  for (const std::uint64_t point : points) {
-    const LatticePoint p{unpack(point, 2), unpack(point, 1), unpack(point, 0)};
-    const std::uint64_t state = inside(p) ? 1 : 0;
-    for (int axis = 0; axis < 3; ++axis) {
-      result.lines[axis].push_back(pack(p[next_axis(axis)], p[previous_axis(axis)], p[axis]) << 1 |
-                                   state);
+  for (std::vector<std::uint64_t>& line : result.lines) line.resize(points.size());
+  share(points.size(), [&](WindingOracle& oracle, std::size_t first, std::size_t end) {
+    for (std::size_t i = first; i < end; ++i) {
+      const LatticePoint p{unpack(points[i], 2), unpack(points[i], 1), unpack(points[i], 0)};
+      const auto known = known_states_.find(points[i]);
+      const bool inside = known != known_states_.end() ? known->second : oracle.find_state(p);
+      for (int axis = 0; axis < 3; ++axis) {
+        result.lines[axis][i] =
+            pack(p[next_axis(axis)], p[previous_axis(axis)], p[axis]) << 1 | (inside ? 1 : 0);
+      }
     }
-  }
+  });
   for (std::vector<std::uint64_t>& line : result.lines) sort_numbers(line);
   return result;
 }
@@ -97,7 +165,8 @@ WindingOracle::GridVertices WindingOracle::find_vertices(const GridData& grid,
 // Grid vertices of other cells cut the edge into segments, which are resolved one by one: where
 // edges coincide, so do their hits.
 void WindingOracle::finish_edge(const SplittingEdge& edge, const GridVertices& vertices,
-                                std::span<const ClassifiedCrossing> planned, HitWriter& writer) {
+                                std::span<const ClassifiedCrossing> planned,
+                                std::vector<EdgeHit>& hits) {
   const LatticePoint low = edge.low();
   const LatticePoint high = edge.high();
   const int axis = edge.axis;
@@ -105,14 +174,16 @@ void WindingOracle::finish_edge(const SplittingEdge& edge, const GridVertices& v
   const auto key = [&](std::int32_t position) {
     return pack(low[next_axis(axis)], low[previous_axis(axis)], position) << 1;
   };
-  auto vertex = std::lower_bound(line.begin(), line.end(), key(low[axis] + 1));
-  Segment segment{axis, low, high[axis], inside(low), false};
-  const bool inside_high = inside(high);
+  // Both ends are corners of minimal faces.
+  auto vertex = std::lower_bound(line.begin(), line.end(), key(low[axis]));
+  Segment segment{axis, low, low[axis], false, (*vertex & 1) != 0};
   std::size_t next = 0;
-  for (bool last = false; !last;) {
-    last = vertex == line.end() || *vertex >= key(high[axis]);
-    segment.high = last ? high[axis] : unpack(*vertex >> 1, 0);
-    segment.inside_high = last ? inside_high : (*vertex & 1) != 0;
+  while (segment.high < high[axis]) {
+    segment.low[axis] = segment.high;
+    segment.inside_low = segment.inside_high;
+    ++vertex;
+    segment.high = unpack(*vertex >> 1, 0);
+    segment.inside_high = (*vertex & 1) != 0;
     crossings_.clear();
     while (next < planned.size() && floor_of(planned[next].position()) < segment.high) {
       const TriangleId triangle = planned[next].triangle();
@@ -120,25 +191,17 @@ void WindingOracle::finish_edge(const SplittingEdge& edge, const GridVertices& v
           {planned[next].position(), triangle, points_up(surface_.triangles[triangle], axis)});
       ++next;
     }
-    write_segment(edge, segment, writer);
-    segment.low[axis] = segment.high;
-    segment.inside_low = segment.inside_high;
-    if (!last) ++vertex;
+    finish_segment(segment, hits);
   }
 }
 
 // Makes hits of the crossings at hand.
-void WindingOracle::write_segment(const SplittingEdge& edge, const Segment& segment,
-                                  HitWriter& writer) {
+void WindingOracle::finish_segment(const Segment& segment, std::vector<EdgeHit>& hits) {
   classified_.clear();
   resolver_.resolve(segment, crossings_, true, classified_);
   for (const ClassifiedCrossing& c : classified_) {
     if (!c.kept()) continue;
-    if (c.triangle() == kNone) {
-      writer.add_invented(edge, c.position(), c.leaving(), invented_plane(segment, c));
-    } else {
-      writer.add(edge, c);
-    }
+    hits.push_back({c, c.triangle() == kNone ? invented_plane(segment, c) : Plane()});
   }
 }
 

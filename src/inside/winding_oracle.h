@@ -36,22 +36,32 @@ class WindingOracle final : public InsideModel {
   void finish_edges(const EdgeCrossings& planned, HitWriter& writer) override;
 
   bool must_split(const LatticeBox& box) const override { return field_->must_split(box); }
-  std::size_t work() const override { return field_->work(); }
+  std::size_t work() const override { return field_->work() + joined_work_; }
   void report(GridStats& stats) const override { stats.winding_threshold = field_->threshold(); }
+  std::unique_ptr<InsideModel> fork() const override;
+  void join(InsideModel& fork) override;
 
  private:
   struct GridVertices;
+  struct EdgeHit;
 
-  bool inside(const LatticePoint& vertex);
+  WindingOracle(const WindingOracle& other, std::shared_ptr<const PointField> field);
+
+  std::unique_ptr<WindingOracle> fork_oracle() const;
+  template <typename Ask>
+  void share(std::size_t count, const Ask& ask);
+  bool find_state(const LatticePoint& vertex) const;
   GridVertices find_vertices(const GridData& grid, const std::vector<LatticeBox>& boxes);
   void finish_edge(const SplittingEdge& edge, const GridVertices& vertices,
-                   std::span<const ClassifiedCrossing> planned, HitWriter& writer);
-  void write_segment(const SplittingEdge& edge, const Segment& segment, HitWriter& writer);
+                   std::span<const ClassifiedCrossing> planned, std::vector<EdgeHit>& hits);
+  void finish_segment(const Segment& segment, std::vector<EdgeHit>& hits);
   Plane invented_plane(const Segment& segment, const ClassifiedCrossing& invented) const;
 
   const Surface& surface_;
   std::shared_ptr<const PointField> field_;
   SegmentResolver resolver_;
+  std::size_t work_before_ = 0;                           // of the field that a fork was made of
+  std::size_t joined_work_ = 0;                           // of forks
   std::unordered_map<std::uint64_t, bool> known_states_;  // by position; only ever looked up
   std::vector<Crossing> crossings_;                       // of the segment at hand
   std::vector<ClassifiedCrossing> classified_;            // of the segment at hand

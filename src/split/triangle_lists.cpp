@@ -57,14 +57,22 @@ TriangleLists::TriangleLists(const std::vector<LatticeTriangle>& triangles)
     : triangles_(triangles) {
   make_room(3 * triangles.size());
   for (const LatticeTriangle& t : triangles) {
-    ListEntry& entry = arena_[triangle_count_];
-    entry.triangle = triangle_count_++;
+    ListEntry& entry = arena_[root_size_];
+    entry.triangle = root_size_++;
     for (int k = 0; k < 3; ++k) {
       entry.lo[k] = std::min({t[0][k], t[1][k], t[2][k]});
       entry.hi[k] = std::max({t[0][k], t[1][k], t[2][k]});
     }
   }
-  size_ = triangle_count_;
+  size_ = root_size_;
+}
+
+TriangleLists::TriangleLists(const std::vector<LatticeTriangle>& triangles,
+                             std::span<const ListEntry> entries)
+    : triangles_(triangles), root_size_(static_cast<Index>(entries.size())) {
+  make_room(3 * entries.size());
+  std::copy(entries.begin(), entries.end(), arena_.get());
+  size_ = root_size_;
 }
 
 void TriangleLists::make_room(std::size_t more_entries) {

@@ -37,9 +37,11 @@ class TriangleLists {
   /// Makes the list of the root cell, which holds all triangles. Triangles without area are among
   /// them, because their neighbours are connected through them. Keeps a reference to `triangles`.
   explicit TriangleLists(const std::vector<LatticeTriangle>& triangles);
+  /// Makes the list of a cell from these entries; it stands for that of the root cell.
+  TriangleLists(const std::vector<LatticeTriangle>& triangles, std::span<const ListEntry> entries);
 
   /// Returns the list of the root cell.
-  ListRange all() const { return {0, triangle_count_}; }
+  ListRange all() const { return {0, root_size_}; }
   /// Returns the entries of a list. They may move at the next `divide`.
   std::span<const ListEntry> entries(ListRange range) const {
     return {arena_.get() + range.begin, range.size()};
@@ -84,7 +86,7 @@ class TriangleLists {
   Index size_ = 0;                      // entries in use
   std::vector<ListEntry> above_;        // the upper child's list while a cell is divided
   std::vector<Index> straddlers_;       // numbers of entries
-  Index triangle_count_ = 0;
+  Index root_size_ = 0;                 // entries of the root cell
 };
 
 }  // namespace kdm

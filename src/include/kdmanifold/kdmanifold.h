@@ -20,6 +20,7 @@
 #include "kdmanifold/reduce.h"
 #include "kdmanifold/simplify.h"
 #include "kdmanifold/thicken.h"
+#include "kdmanifold/threads.h"
 #include "kdmanifold/types.h"
 #include "kdmanifold/version.h"
 #include "kdmanifold/warnings.h"

@@ -160,6 +160,7 @@ TEST_F(Cli, HelpListsTheOptions) {
                                               "--strict",
                                               "--symmetric-difference",
                                               "--target-triangles",
+                                              "--threads",
                                               "--thicken",
                                               "--thicken-what",
                                               "--tolerance",

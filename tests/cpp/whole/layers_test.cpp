@@ -24,6 +24,7 @@ const fs::path kSource = kRoot / "src";
 const std::vector<std::string> kRooms = {"include/kdmanifold",
                                          "text",
                                          "options",
+                                         "threads",
                                          "geometry",
                                          "mesh",
                                          "io",

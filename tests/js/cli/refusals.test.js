@@ -247,6 +247,8 @@ const wrong = [
     ),
   ],
   [['a.obj', '--json', '--quiet'], '--quiet: not together with --json, which prints a report'],
+  [['a.obj', '--threads', '0'], "--threads: '0' is no whole number from 1 to 256"],
+  [['a.obj', '--threads', '257'], "--threads: '257' is no whole number from 1 to 256"],
   [
     ['a.kdgrid', '--pairing', 'trace', '--depth=9'],
     '--depth: the grid in a.kdgrid is built already',

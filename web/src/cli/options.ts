@@ -34,6 +34,7 @@ export interface ReportOptions {
   stats?: boolean;
   json?: boolean;
   quiet?: boolean;
+  threads?: number;
 }
 
 /** An option that may be given several times, as it was given. */

@@ -23,6 +23,7 @@ export const reportOptions: Record<string, OptionSpec> = {
   stats: { flag: '--stats', kind: 'boolean', default: false },
   json: { flag: '--json', kind: 'boolean', default: false },
   quiet: { flag: '--quiet', kind: 'boolean', default: false },
+  threads: { flag: '--threads', kind: 'integer', least: 1, most: 256 },
 };
 
 /** @internal */
@@ -61,6 +62,9 @@ export const helpText = [
   '  --json                    print one JSON report on standard output, nothing else; of several',
   '                            inputs, a list of reports',
   '  --quiet                   print nothing but errors',
+  '  --threads N               how many threads share the work; results are the same with any number.',
+  '                            In WebAssembly it is one, whatever is asked for (from 1 to 256; default',
+  '                            as many as the machine runs at once)',
   '  --version                 print the version',
   '  -h, --help                print this',
   '',

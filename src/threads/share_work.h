@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Tasks that threads share. Steps of the method use it for parts that do not depend on each other,
+// and put what the parts found together in the order of the parts, so that nothing depends on the
+// number of threads.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+namespace kdm {
+
+/// Returns how many threads `share_work` uses if it is called here: 1 within a task of it.
+int workers();
+
+/// Calls `work(task, worker)` for each task from 0 to `tasks` - 1, on up to `workers()` threads,
+/// and returns when all are done. Tasks begin in their order. `worker` is a number below
+/// `workers()` that no two tasks have at the same time; 0 is always the calling thread. If a task
+/// throws, no more tasks begin, and of those that threw the first one's exception is thrown again.
+void share_work(std::size_t tasks, const std::function<void(std::size_t task, int worker)>& work);
+
+/// Returns the first number of a part, if `count` things are divided into so many parts of about
+/// equal size, numbered from 0. The first number of the part after the last is `count`.
+inline std::size_t begin_of_part(std::size_t count, std::size_t part, std::size_t parts) {
+  return count / parts * part + count % parts * part / parts;
+}
+
+}  // namespace kdm
