@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "mesh/disjoint_sets.h"
 #include "mesh/edge_sides.h"
 #include "mesh/joined.h"
+#include "mesh/marks.h"
 
 namespace kdm {
 namespace {
@@ -65,6 +65,28 @@ Topology build_topology(std::span<const Triangle> triangles, Index points) {
   });
   topology.components = parts.count();
   return topology;
+}
+
+DisjointSets join_at_edges(std::span<const Triangle> triangles, Index points,
+                           const Topology& topology) {
+  DisjointSets sets = join_triangles(topology.opposite);
+  Marks others(topology.opposite.size());  // sides that may share their edge with several sides
+  for (const SideId side : topology.non_manifold_sides) others.set(side);
+  for (SideId side = 0; side < others.size(); ++side) {
+    if (topology.opposite[side] == kNone) others.set(side);
+  }
+  if (!others.any()) return sets;
+  const auto for_each_other = [&](const auto& visit) {
+    for (SideId side = 0; side < others.size(); ++side) {
+      if (!others.test(side)) continue;
+      const Triangle& t = triangles[triangle_of(side)];
+      visit(t[corner_of(side)], t[next_corner(corner_of(side))], side);
+    }
+  };
+  EdgeSides(points, for_each_other).for_each_edge([&](PointId, std::span<const EdgeSide> edge) {
+    for (const EdgeSide& s : edge) sets.join(triangle_of(edge[0].side), triangle_of(s.side));
+  });
+  return sets;
 }
 
 std::vector<Index> find_parts(const Topology& topology) {

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "mesh/disjoint_sets.h"
 #include "mesh/numbers.h"
 #include "mesh/sides.h"
 
@@ -32,6 +33,11 @@ struct Topology {
 /// from a corner to the same corner are left out. Takes linear time if no point has very many
 /// triangles.
 Topology build_topology(std::span<const Triangle> triangles, Index points);
+
+/// Joins all triangles that share an edge, however many there are and whichever way they run along
+/// it; `points` is above all corner numbers. The topology must be theirs.
+DisjointSets join_at_edges(std::span<const Triangle> triangles, Index points,
+                           const Topology& topology);
 
 /// Returns for each triangle the number of its part: of those that are connected with it through
 /// joined sides. Returns nothing if all triangles are of one part.

@@ -4,30 +4,48 @@
 #include <algorithm>
 #include <vector>
 
-#include "mesh/disjoint_sets.h"
-#include "mesh/edge_sides.h"
 #include "mesh/same_corners.h"
 
 namespace kdm {
+namespace {
+
+// Finds the triangles that may be there several times: each of their sides shares its edge with
+// another one that runs the same way.
+std::vector<TriangleId> find_possible_copies(std::size_t triangles, const Topology& topology) {
+  Marks sides(topology.opposite.size());
+  for (const SideId side : topology.non_manifold_sides) sides.set(side);
+  std::vector<TriangleId> found;
+  for (TriangleId t = 0; t < triangles; ++t) {
+    bool all = true;
+    for (SideId side = 3 * t; side < 3 * t + 3; ++side) {
+      all = all && (sides.test(side) || topology.opposite[side] == kNone);
+    }
+    if (all) found.push_back(t);
+  }
+  return found;
+}
+
+}  // namespace
 
 Marks find_copies(std::span<const Triangle> triangles, Index points, const Topology& topology) {
   Marks further(triangles.size());
   if (topology.non_manifold_edges == 0) return further;
-  std::vector<Index> times(triangles.size(), 0);  // how often each triangle is there; 0: both ways
-  for_each_corner_set(triangles, points, [&](std::span<const SortedCorners> group) {
+  // How often each triangle is there; 0: once, or both ways.
+  std::vector<Index> times(triangles.size(), 0);
+  const std::vector<TriangleId> candidates = find_possible_copies(triangles.size(), topology);
+  std::vector<Triangle> corners;
+  for (const TriangleId t : candidates) corners.push_back(triangles[t]);
+  for_each_corner_set(corners, points, [&](std::span<const SortedCorners> group) {
     const bool one_way = std::all_of(group.begin(), group.end(), [&](const SortedCorners& c) {
       return c.turned == group[0].turned;
     });
     for (const SortedCorners& c : group) {
-      if (one_way) times[c.triangle] = static_cast<Index>(group.size());
-      if (&c != &group[0]) further.set(c.triangle);
+      if (one_way) times[candidates[c.triangle]] = static_cast<Index>(group.size());
+      if (&c != &group[0]) further.set(candidates[c.triangle]);
     }
   });
   if (!further.any()) return further;
-  DisjointSets parts(triangles.size());
-  EdgeSides(triangles, points).for_each_edge([&](PointId, std::span<const EdgeSide> edge) {
-    for (const EdgeSide& s : edge) parts.join(triangle_of(edge[0].side), triangle_of(s.side));
-  });
+  DisjointSets parts = join_at_edges(triangles, points, topology);
   Marks is_mixed(triangles.size());  // per part, by the triangle that stands for it
   for (TriangleId t = 0; t < triangles.size(); ++t) {
     const Index part = parts.find(t);

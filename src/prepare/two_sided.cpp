@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-#include "mesh/edge_sides.h"
 #include "mesh/measure.h"
 #include "prepare/cancel.h"
 
@@ -57,10 +56,7 @@ bool some_part_has_two_sides(std::span<const Triangle> triangles, const std::vec
   const auto count = static_cast<Index>(points.size());
   const Marks paired = find_opposite_pairs(triangles, count, topology);
   if (!paired.any()) return false;
-  DisjointSets parts(triangles.size());
-  EdgeSides(triangles, count).for_each_edge([&](PointId, std::span<const EdgeSide> edge) {
-    for (const EdgeSide& s : edge) parts.join(triangle_of(edge[0].side), triangle_of(s.side));
-  });
+  DisjointSets parts = join_at_edges(triangles, count, topology);
   constexpr Index kFewest = 8;
   return find_two_sided_parts(triangles, points, paired, parts, kFewest).any();
 }

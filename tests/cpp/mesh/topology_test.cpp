@@ -168,6 +168,12 @@ TEST(Topology, RandomTrianglesAreCountedRight) {
     ASSERT_EQ(topology.first_unbalanced, first);
     ASSERT_EQ(topology.closed(), unbalanced == 0);
     ASSERT_EQ(topology.components, std::set<Index>(part.begin(), part.end()).size());
+    DisjointSets joined = join_at_edges(triangles, points, topology);
+    for (Index t = 0; t < part.size(); ++t) {
+      for (Index other = 0; other < t; ++other) {
+        ASSERT_EQ(joined.find(t) == joined.find(other), part[t] == part[other]);
+      }
+    }
     expect_mutual_opposites(triangles, topology);
     const auto open = std::count(topology.opposite.begin(), topology.opposite.end(), kNone);
     ASSERT_EQ(topology.opposite.size() - static_cast<std::size_t>(open), paired)
