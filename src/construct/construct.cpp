@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "construct/bottom_up.h"
 #include "construct/cell_maker.h"
 #include "construct/cells_in_parts.h"
 
@@ -85,6 +86,11 @@ ConstructedCells construct_cells(const Surface& surface, InsideModel& model,
       return progress(shown, phase);
     };
   }
+  if (memory.notes == nullptr && suits_bottom_up(surface, model, options, depth)) {
+    ConstructedCells made{tolerance, {}, nullptr};
+    made.finest = construct_bottom_up(surface, model, depth, progress, grid, made.triangle_of_hit);
+    return made;
+  }
   for (;;) {
     MadeCells made;
     const double done =
@@ -96,7 +102,8 @@ ConstructedCells construct_cells(const Surface& surface, InsideModel& model,
       } else {
         grid.cells = made.cells;
       }
-      ConstructedCells constructed{tolerance, make_hits(made.crossings, surface, model, grid)};
+      ConstructedCells constructed{tolerance, make_hits(made.crossings, surface, model, grid),
+                                   nullptr};
       if (memory.notes != nullptr) static_cast<MadeCells&>(*memory.notes) = std::move(made);
       return constructed;
     }

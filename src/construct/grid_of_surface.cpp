@@ -9,6 +9,7 @@
 #include "kdmanifold/options.h"
 #include "link/corners.h"
 #include "link/link.h"
+#include "link/link_finest.h"
 #include "mesh/progress.h"
 
 namespace kdm {
@@ -58,7 +59,11 @@ std::unique_ptr<GridData> grid_of_surface(const Surface& surface, InsideModel& m
                 "the surface encloses nothing: it is open, and no point lies behind it on most "
                 "sides; thicken it, or take it as a sheet");
   }
-  link_half_edges(surface, made.triangle_of_hit, options.pairing, *grid);
+  if (made.finest && !surface.sheet) {
+    link_finest(surface, made.triangle_of_hit, options.pairing, *made.finest, *grid);
+  } else {
+    link_half_edges(surface, made.triangle_of_hit, options.pairing, *grid);
+  }
   keep_corners(surface, made.triangle_of_hit, *grid);
   count_stats(*grid);
   GridStats& stats = grid->stats;

@@ -9,11 +9,15 @@
 
 namespace kdm {
 
+/// Which of the four edges of a splitting face it is.
+struct EdgePlace {
+  EdgeId number;  ///< 4k + i for split k
+  int i;          ///< 0 to 3 round the splitting face: bottom, right, top, left
+  int axis;       ///< the edge runs along it
+};
+
 /// One of the four edges of a splitting face. Refers to the grid and to its boxes.
-struct SplittingEdge {
-  EdgeId number;          ///< 4k + i for split k
-  int i;                  ///< 0 to 3 round the splitting face: bottom, right, top, left
-  int axis;               ///< the edge runs along it
+struct SplittingEdge : EdgePlace {
   CellId cell;            ///< the cell that is split
   const Cell& split;      ///< what that cell holds: axis and value of the splitting plane
   const LatticeBox& box;  ///< of that cell
@@ -50,8 +54,11 @@ void for_each_splitting_edge(const GridData& grid, std::span<const LatticeBox> b
     if (cell == kNone) continue;
     const Cell& split = grid.cells[cell];
     for (int i = 0; i < 4; ++i) {
-      visit(SplittingEdge{edge_of_split(k, i), i, axis_of_edge(split.axis(), i), cell, split,
-                          boxes[cell], grid.edge_hits(k, i)});
+      visit(SplittingEdge{{edge_of_split(k, i), i, axis_of_edge(split.axis(), i)},
+                          cell,
+                          split,
+                          boxes[cell],
+                          grid.edge_hits(k, i)});
     }
   }
 }

@@ -17,7 +17,7 @@ HitWriter::HitWriter(const Surface& surface, std::size_t expected_hits, GridData
   grid.source_operands.clear();
 }
 
-void HitWriter::add(const SplittingEdge& edge, const ClassifiedCrossing& crossing) {
+void HitWriter::add(const EdgePlace& edge, const ClassifiedCrossing& crossing) {
   const TriangleId triangle = crossing.triangle();
   const bool leaving = crossing.leaving();
   // By the lattice's triangle, as crossings are found: the plane before rounding may have another
@@ -28,7 +28,7 @@ void HitWriter::add(const SplittingEdge& edge, const ClassifiedCrossing& crossin
   triangle_of_hit_.push_back(triangle);
 }
 
-void HitWriter::add_invented(const SplittingEdge& edge, LinePosition position, bool leaving,
+void HitWriter::add_invented(const EdgePlace& edge, LinePosition position, bool leaving,
                              const Plane& plane) {
   const auto number = static_cast<PlaneId>(grid_.planes.size());
   grid_.planes.push_back(plane);

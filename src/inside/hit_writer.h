@@ -25,13 +25,12 @@ class HitWriter {
   const GridData& grid() const { return grid_; }
 
   /// Adds a hit of a triangle on an edge. Hits come edge by edge, ascending along each.
-  void add(const SplittingEdge& edge, const ClassifiedCrossing& crossing);
+  void add(const EdgePlace& edge, const ClassifiedCrossing& crossing);
   /// Adds a hit that is not made by a triangle but invented to close a hole. The normal of its
   /// plane points out of the solid.
-  void add_invented(const SplittingEdge& edge, LinePosition position, bool leaving,
-                    const Plane& plane);
+  void add_invented(const EdgePlace& edge, LinePosition position, bool leaving, const Plane& plane);
   /// Ends an edge. To be called for every edge, also for those without hits.
-  void end_edge(const SplittingEdge& edge) {
+  void end_edge(const EdgePlace& edge) {
     grid_.edge_begin[edge.number + 1] = static_cast<HitId>(grid_.hits.size());
   }
 

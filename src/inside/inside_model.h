@@ -44,6 +44,10 @@ class InsideModel {
     return std::nullopt;
   }
 
+  /// Tells whether states follow from the crossings on grid lines alone, one line as good as
+  /// another, and those crossings become hits that `plan_edge` keeps, or at gaps that stay open.
+  virtual bool only_counts() const { return false; }
+
   /// Returns the state beyond a triangle, for models that count: `leaving` says whether the way
   /// leads out of its front.
   virtual int state_after(int state, TriangleId triangle, bool leaving) {

@@ -23,6 +23,8 @@ class WindingModel final : public InsideModel {
 
   std::optional<bool> is_inside(int state) const override { return kdm::is_inside(rule_, state); }
 
+  bool only_counts() const override { return true; }
+
   bool leaves_slivers_out() const override { return gaps_.leaves_slivers_out(); }
 
   int state_at(const LatticePoint& vertex, int counted) override {
@@ -57,6 +59,8 @@ class WindingModel final : public InsideModel {
 // one state.
 class SheetModel final : public InsideModel {
  public:
+  bool only_counts() const override { return true; }
+
   int state_at(const LatticePoint& vertex, int counted) override {
     static_cast<void>(vertex);
     return counted;

@@ -5,7 +5,7 @@
 #include "mesh/sort.h"
 
 namespace kdm {
-void sort_crossings(std::vector<Crossing>& crossings) {
+void sort_crossings(std::span<Crossing> crossings) {
   sort_by(crossings, [](const Crossing& a, const Crossing& b) {
     return a.position != b.position ? a.position < b.position : a.triangle < b.triangle;
   });

@@ -3,6 +3,7 @@
 // solid (paper 5.2).
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "inside/crossing.h"
@@ -33,7 +34,7 @@ inline int state_after(int winding, const Crossing& crossing) {
 
 /// Sorts crossings by ascending position along the edge; crossings at the same position are sorted
 /// by the number of their triangle.
-void sort_crossings(std::vector<Crossing>& crossings);
+void sort_crossings(std::span<Crossing> crossings);
 
 /// Sorts the crossings found on one edge, follows the winding number up the edge from
 /// `winding_below`, and appends each crossing to `classified`. Where points below and above a

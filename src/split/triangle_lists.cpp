@@ -106,12 +106,10 @@ TriangleLists::Children TriangleLists::divide(ListRange parent, int axis, std::i
   return {{first_below, first_above}, {first_above, size_}};
 }
 
-// Adds the triangle of an entry that reaches both sides of the plane to the lists of both children,
-// except where it has no part in a child. The triangle's part on one side of the plane lies within
-// the bounds of its corners there and of the two points where its outline crosses the plane. It
-// also lies within the bounds of the parent's entry.
-void TriangleLists::divide_straddler(const ListEntry& entry, int axis, std::int32_t value) {
-  const LatticeTriangle& t = triangles_[entry.triangle];
+// The triangle's part on one side of the plane lies within the bounds of its corners there and of
+// the two points where its outline crosses the plane. It also lies within the bounds of the entry.
+DividedEntry divide_entry(const LatticeTriangle& t, const ListEntry& entry, int axis,
+                          std::int32_t value) {
   const int u = next_axis(axis);
   const int v = previous_axis(axis);
   constexpr std::int32_t kFar = 4 * kLatticeSize;  // beyond all coordinates
@@ -142,8 +140,9 @@ void TriangleLists::divide_straddler(const ListEntry& entry, int axis, std::int3
       extend(1, k, low, high);
     }
   }
+  DividedEntry divided;
   for (int side = 0; side < 2; ++side) {
-    ListEntry part;
+    ListEntry& part = divided.part[side];
     part.triangle = entry.triangle;
     for (int k = 0; k < 3; ++k) {
       part.lo[k] = std::max(lo[side][k], entry.lo[k]);
@@ -151,13 +150,17 @@ void TriangleLists::divide_straddler(const ListEntry& entry, int axis, std::int3
     }
     if (side == 0) part.hi[axis] = value;
     if (side == 1) part.lo[axis] = value;
-    if (!may_meet(t, part)) continue;
-    if (side == 0) {
-      arena_[size_++] = part;
-    } else {
-      above_.push_back(part);
-    }
+    divided.meets[side] = may_meet(t, part);
   }
+  return divided;
+}
+
+// Adds the triangle of an entry that reaches both sides of the plane to the lists of both children,
+// except where it has no part in a child.
+void TriangleLists::divide_straddler(const ListEntry& entry, int axis, std::int32_t value) {
+  const DividedEntry divided = divide_entry(triangles_[entry.triangle], entry, axis, value);
+  if (divided.meets[0]) arena_[size_++] = divided.part[0];
+  if (divided.meets[1]) above_.push_back(divided.part[1]);
 }
 
 }  // namespace kdm

@@ -4,6 +4,7 @@
 // to the cell; we hand down the triangle's number and bounds of the clipped polygon.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <span>
 #include <vector>
@@ -21,6 +22,16 @@ struct ListEntry {
   LatticePoint lo;  ///< the least corner of the bounds, in lattice units, rounded outwards
   LatticePoint hi;  ///< the greatest corner
 };
+
+/// The parts of an entry below and above a plane.
+struct DividedEntry {
+  std::array<ListEntry, 2> part;
+  std::array<bool, 2>
+      meets;  ///< whether there may be such a part; one that is not there is not set
+};
+/// Divides the entry of a triangle that reaches both sides of lattice plane `value` across `axis`.
+DividedEntry divide_entry(const LatticeTriangle& t, const ListEntry& entry, int axis,
+                          std::int32_t value);
 
 /// The entries of one cell: the numbers from `begin` up to, but not including, `end`.
 struct ListRange {
