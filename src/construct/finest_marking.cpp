@@ -61,10 +61,13 @@ void FinestMarking::divide(const ListEntry& entry, const LatticePoint& cell_low)
 void FinestMarking::find_crossings(const ListEntry& entry, const LatticePoint& place) {
   LatticePoint low;
   std::array<bool, 3> reaches{};  // the low side across each axis
+  int reached = 0;
   for (int k = 0; k < 3; ++k) {
     low[k] = cells_.plane(k, place[k]);
     reaches[k] = entry.lo[k] == low[k];
+    reached += reaches[k] ? 1 : 0;
   }
+  if (reached < 2) return;
   const LatticeTriangle& t = triangles_[entry.triangle];
   for (int axis = 0; axis < 3; ++axis) {
     const int u = next_axis(axis);

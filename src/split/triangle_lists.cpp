@@ -20,6 +20,17 @@ std::int32_t round_down(double x) { return static_cast<std::int32_t>(x - kRoundi
 // Returns a lattice coordinate that is certainly not below x.
 std::int32_t round_up(double x) { return static_cast<std::int32_t>(x + kRoundingSlack) + 1; }
 
+// Bounds along an axis; at first of nothing.
+struct Interval {
+  std::int32_t lo = 4 * kLatticeSize;  // beyond all coordinates
+  std::int32_t hi = -4 * kLatticeSize;
+
+  void extend(std::int32_t low, std::int32_t high) {
+    lo = std::min(lo, low);
+    hi = std::max(hi, high);
+  }
+};
+
 // Tells whether the triangle's plane may meet the bounds of the part. An answer "no" is certain.
 bool plane_meets(const LatticeTriangle& t, const ListEntry& part) {
   const auto normal = area_vector(t);
@@ -112,46 +123,50 @@ DividedEntry divide_entry(const LatticeTriangle& t, const ListEntry& entry, int 
                           std::int32_t value) {
   const int u = next_axis(axis);
   const int v = previous_axis(axis);
-  constexpr std::int32_t kFar = 4 * kLatticeSize;  // beyond all coordinates
-  // The bounds of the part below the plane, then of the part above it.
-  std::array<LatticePoint, 2> lo{{{kFar, kFar, kFar}, {kFar, kFar, kFar}}};
-  std::array<LatticePoint, 2> hi{{{-kFar, -kFar, -kFar}, {-kFar, -kFar, -kFar}}};
-  const auto extend = [&](int side, int k, std::int32_t low, std::int32_t high) {
-    lo[side][k] = std::min(lo[side][k], low);
-    hi[side][k] = std::max(hi[side][k], high);
-  };
+  Interval below_w, below_u, below_v;  // of the corners below the plane: along the axis, across it
+  Interval above_w, above_u, above_v;
+  Interval cut_u, cut_v;  // of the points in the plane
   for (int i = 0; i < 3; ++i) {
     const LatticePoint& a = t[i];
     const LatticePoint& b = t[i == 2 ? 0 : i + 1];
-    for (int side = 0; side < 2; ++side) {
-      if (side == 0 ? a[axis] > value : a[axis] < value) continue;
+    if (a[axis] <= value) {
       // The plane lies infinitely little above its value. So a corner at the value lies below the
       // plane, and the part below extends a little from there along the sides that rise.
-      const std::int32_t reach = side == 0 && a[axis] == value ? 1 : 0;
-      for (int k = 0; k < 3; ++k) extend(side, k, a[k] - reach, a[k] + reach);
+      const std::int32_t reach = a[axis] == value ? 1 : 0;
+      below_w.extend(a[axis] - reach, a[axis] + reach);
+      below_u.extend(a[u] - reach, a[u] + reach);
+      below_v.extend(a[v] - reach, a[v] + reach);
+    }
+    if (a[axis] >= value) {
+      above_w.extend(a[axis], a[axis]);
+      above_u.extend(a[u], a[u]);
+      above_v.extend(a[v], a[v]);
     }
     if ((a[axis] < value) == (b[axis] < value) || a[axis] == value || b[axis] == value) continue;
     const double share = static_cast<double>(value - a[axis]) / (b[axis] - a[axis]);
-    for (const int k : {u, v}) {
-      const double crossing = a[k] + share * (b[k] - a[k]);
-      const std::int32_t low = round_down(crossing);
-      const std::int32_t high = round_up(crossing);
-      extend(0, k, low, high);
-      extend(1, k, low, high);
-    }
+    const double at_u = a[u] + share * (b[u] - a[u]);
+    const double at_v = a[v] + share * (b[v] - a[v]);
+    cut_u.extend(round_down(at_u), round_up(at_u));
+    cut_v.extend(round_down(at_v), round_up(at_v));
   }
+  const auto part = [&](const Interval& along, Interval across_u, Interval across_v) {
+    across_u.extend(cut_u.lo, cut_u.hi);
+    across_v.extend(cut_v.lo, cut_v.hi);
+    ListEntry bounded;
+    bounded.triangle = entry.triangle;
+    bounded.lo[axis] = std::max(along.lo, entry.lo[axis]);
+    bounded.hi[axis] = std::min(along.hi, entry.hi[axis]);
+    bounded.lo[u] = std::max(across_u.lo, entry.lo[u]);
+    bounded.hi[u] = std::min(across_u.hi, entry.hi[u]);
+    bounded.lo[v] = std::max(across_v.lo, entry.lo[v]);
+    bounded.hi[v] = std::min(across_v.hi, entry.hi[v]);
+    return bounded;
+  };
   DividedEntry divided;
-  for (int side = 0; side < 2; ++side) {
-    ListEntry& part = divided.part[side];
-    part.triangle = entry.triangle;
-    for (int k = 0; k < 3; ++k) {
-      part.lo[k] = std::max(lo[side][k], entry.lo[k]);
-      part.hi[k] = std::min(hi[side][k], entry.hi[k]);
-    }
-    if (side == 0) part.hi[axis] = value;
-    if (side == 1) part.lo[axis] = value;
-    divided.meets[side] = may_meet(t, part);
-  }
+  divided.part = {part(below_w, below_u, below_v), part(above_w, above_u, above_v)};
+  divided.part[0].hi[axis] = value;
+  divided.part[1].lo[axis] = value;
+  for (int side = 0; side < 2; ++side) divided.meets[side] = may_meet(t, divided.part[side]);
   return divided;
 }
 
