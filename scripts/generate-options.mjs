@@ -128,6 +128,7 @@ function optionInterface(name, help, options) {
 function optionType({ type, words }) {
   if (type === 'choice') return words.map(({ word }) => `'${word}'`).join(' | ');
   if (type === 'numbers') return 'number | readonly number[]';
+  if (type === 'box') return 'readonly number[]';
   return type === 'integer' ? 'number' : type;
 }
 

@@ -13,6 +13,7 @@ EMSCRIPTEN_BINDINGS(kdmanifold) {
       .function("make", &kdm::wasm::make_from_grid)
       .function("simplify", &kdm::wasm::simplify)
       .function("compare", &kdm::wasm::compare)
+      .function("merge", &kdm::wasm::merge_grids)
       .function("save", &kdm::wasm::save_grid)
       .function("stats", &kdm::wasm::grid_stats)
       .function("input", &kdm::wasm::grid_input)

@@ -45,6 +45,13 @@ inline std::vector<Index> to_list(const val& array) {
   return list;
 }
 
+/// Copies the corners of a box, which the wrapper has checked.
+inline BoxCorners to_box(const val& array) {
+  BoxCorners corners;
+  copy_in(array, corners.size(), corners.data());
+  return corners;
+}
+
 // Functions below take the name of a field instead of the field, so that compilers drop its help.
 
 /// Reads an option; keeps its default if there is none.
@@ -58,6 +65,8 @@ void read_option(const val& from, const char* name, Value& target) {
     target = value.as<bool>();
   } else if constexpr (std::is_same_v<Value, std::vector<Index>>) {
     target = to_list(value);
+  } else if constexpr (std::is_same_v<Value, std::optional<BoxCorners>>) {
+    target = to_box(value);
   } else {
     target = value.as<Value>();
   }

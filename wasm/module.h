@@ -73,6 +73,13 @@ inline val save_grid(const Grid& grid) {
   });
 }
 
+/// `expression` is as in `build_boolean_grid`, over the first grid and the second.
+inline val merge_grids(const Grid& first, const Grid& second, val expression, val progress) {
+  return guard([&] {
+    return val(kdm::merge_grids(first, second, to_expression(expression), to_progress(progress)));
+  });
+}
+
 inline val from_levels(const std::vector<ReducedLevel>& levels) {
   val to = val::array();
   for (const ReducedLevel& level : levels) {

@@ -130,12 +130,14 @@ void for_each_field(Options& report, Visit&& visit) {
 /// See above.
 template <Either<SolidOptions> Options, typename Visit>
 void for_each_field(Options& solids, Visit&& visit) {
-  visit(OptionField{.name = "union",
-                    .letter = "FILE",
-                    .help = "join a mesh to INPUT and to what came of the options before; each of "
-                            "these may be given several times, and they are done from left to "
-                            "right"},
-        solids.united);
+  visit(
+      OptionField{.name = "union",
+                  .letter = "FILE",
+                  .help = "join a mesh to INPUT and to what came of the options before; each of "
+                          "these may be given several times, and they are done from left to "
+                          "right. A grid as INPUT is merged with other grids that were built with "
+                          "the same `box`"},
+      solids.united);
   visit(
       OptionField{
           .name = "intersection", .letter = "FILE", .help = "keep what lies in this mesh too"},

@@ -153,8 +153,12 @@ void work(const Command& command, const Task& task, ProgressLine& progress, RunR
   std::optional<Mesh> input;  // if it is one mesh, and no grid
   progress.show("reading");
   if (task.is_grid) {
-    made.grid = read_grid_file(task.input);
-    report.seconds.read = watch.lap();
+    if (joins_solids(command)) {
+      made.grid = merge_grids_of(command, task.input, steps(MakeStep::kBuild));
+    } else {
+      made.grid = read_grid_file(task.input);
+      report.seconds.read = watch.lap();
+    }
     static_cast<MadeMesh&>(made) =
         make_from_grid(made.grid, command.extract, command.reduction, steps);
   } else {

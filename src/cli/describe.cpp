@@ -47,6 +47,8 @@ void add_type(Json& json, const std::optional<bool>&) {
 
 void add_type(Json& json, const std::vector<Index>&) { json["type"] = "numbers"; }
 
+void add_type(Json& json, const std::optional<BoxCorners>&) { json["type"] = "box"; }
+
 template <typename Choice>
 requires std::is_enum_v<Choice>
 void add_type(Json& json, Choice standard) {

@@ -59,6 +59,9 @@ Line line_of(const OptionField& field, const Value& standard) {
     return {option, "do not " + std::string(field.help)};
   } else if constexpr (std::is_same_v<Value, std::vector<Index>>) {
     return {option + ' ' + field.letter, fmt::format("{} (default {})", field.help, field.unset)};
+  } else if constexpr (std::is_same_v<Value, std::optional<BoxCorners>>) {
+    return {option + ' ' + field.letter,
+            fmt::format("{} ({}; default {})", field.help, unit_name(field.unit), field.unset)};
   } else if constexpr (std::is_enum_v<Value>) {
     const bool unset = field.unset[0] != '\0';
     Line line{option + ' ' + joined_words<Value>("|"),

@@ -5,6 +5,7 @@
 #include <fast_float/fast_float.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -48,6 +49,32 @@ std::string read_list(const OptionField& field, const std::string& text,
   return "";
 }
 
+// Reads the lowest and the highest corner of a box. Returns what is wrong, or "".
+std::string read_box(const std::string& text, std::optional<BoxCorners>& target) {
+  std::vector<double> numbers;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t end = std::min(text.find(',', at), text.size());
+    numbers.push_back(to_number(text.substr(at, end - at)));
+    at = end + 1;
+  }
+  BoxCorners box{};
+  bool ascends = numbers.size() == box.size();
+  bool has_extent = false;
+  for (std::size_t i = 0; ascends && i < 3; ++i) {
+    box[i] = numbers[i];
+    box[i + 3] = numbers[i + 3];
+    ascends = box[i] <= box[i + 3];  // NaN is not
+    has_extent = has_extent || box[i] < box[i + 3];
+  }
+  if (!ascends || !has_extent) {
+    return fmt::format(
+        "'{}' is no box: 6 numbers with commas between them, the lowest corner before the highest",
+        text);
+  }
+  target = box;
+  return "";
+}
+
 // Takes the value over. Returns what is wrong with it, or "".
 template <typename Value>
 std::string read_value(const OptionField& field, const std::string& text, Value& target) {
@@ -63,6 +90,8 @@ std::string read_value(const OptionField& field, const std::string& text, Value&
     target = *value;
   } else if constexpr (std::is_same_v<Value, std::vector<Index>>) {
     return read_list(field, text, target);
+  } else if constexpr (std::is_same_v<Value, std::optional<BoxCorners>>) {
+    return read_box(text, target);
   } else {
     constexpr bool kWhole = std::is_integral_v<Value>;
     const double number = kWhole && !is_whole(text) ? std::nan("") : to_number(text);

@@ -65,9 +65,26 @@ void check_grid(const Command& command, const std::string& input) {
     }
   };
   const BuildOptions build;
-  const SolidOptions solids;
   for_each_field(build, check);
-  for_each_field(solids, check);
+}
+
+// Grids are merged with grids, meshes joined with meshes.
+void check_operands(const Command& command, const Task& task) {
+  for (const RepeatedArgument& argument : command.solids) {
+    const auto refuse_operand = [&](const std::string& text) {
+      throw UsageError(argument.typed + ": " + text);
+    };
+    if (argument.flag == "--transform") {
+      if (task.is_grid) {
+        refuse_operand(fmt::format("the grid in {} stays where it is", task.input));
+      }
+    } else if (task.is_grid != names_a_grid(argument.value)) {
+      refuse_operand(
+          task.is_grid ? fmt::format("{} is no grid, but {} is: grids are merged with grids",
+                                     argument.value, task.input)
+                       : fmt::format("{} is a grid, but {} is a mesh", argument.value, task.input));
+    }
+  }
 }
 
 // The path of the result in --out-dir.
@@ -126,6 +143,7 @@ std::vector<Task> plan(const Command& command) {
     Task task{input, files.output, false};
     task.is_grid = files.input_format == FileFormat::kByName && names_a_grid(input);
     if (task.is_grid) check_grid(command, input);
+    check_operands(command, task);
     if (!files.out_dir.empty()) task.output = path_in(command, task);
     tasks.push_back(task);
   }

@@ -36,15 +36,16 @@ Transform transform_of(const RepeatedArgument& argument) {
   return Eigen::Map<const Eigen::Matrix<double, 3, 4, Eigen::RowMajor>>(numbers.data());
 }
 
+Expression operation_of(const std::string& flag, const Expression& a, const Expression& b) {
+  return flag == "--union"          ? union_of(a, b)
+         : flag == "--intersection" ? intersection(a, b)
+         : flag == "--difference"   ? difference(a, b)
+                                    : symmetric_difference(a, b);
+}
+
 Expression joined(const std::vector<SolidFile>& files) {
   Expression whole = 0;
-  for (Index i = 1; i < files.size(); ++i) {
-    const std::string& operation = files[i].operation;
-    whole = operation == "--union"          ? union_of(whole, i)
-            : operation == "--intersection" ? intersection(whole, i)
-            : operation == "--difference"   ? difference(whole, i)
-                                            : symmetric_difference(whole, i);
-  }
+  for (Index i = 1; i < files.size(); ++i) whole = operation_of(files[i].operation, whole, i);
   return whole;
 }
 
@@ -73,9 +74,6 @@ std::vector<SolidFile> solid_files(const Command& command) {
       continue;
     }
     if (argument.value == kStandardStream) refuse(argument, "it cannot be read from a stream");
-    if (names_a_grid(argument.value)) {
-      refuse(argument, fmt::format("{} is a grid, but operands are meshes", argument.value));
-    }
     transformed = false;
     files.push_back({argument.value, Transform::Identity(), argument.flag});
   }
@@ -103,6 +101,30 @@ MadeManifold make_solids(const Command& command, const std::string& input_name, 
   } catch (const Error& error) {
     throw Error(error.code(), message_of(error, files));
   }
+}
+
+Grid merge_grids_of(const Command& command, const std::string& input, const Progress& progress) {
+  Grid merged = read_grid_file(input);
+  std::vector<Grid> others;
+  for (const RepeatedArgument& argument : command.solids) {
+    others.push_back(read_grid_file(argument.value));
+  }
+  const double count = static_cast<double>(others.size());
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    const RepeatedArgument& argument = command.solids[i];
+    Progress part;
+    if (progress) {
+      part = [&, i](double fraction, std::string_view phase) {
+        return progress((static_cast<double>(i) + fraction) / count, phase);
+      };
+    }
+    try {
+      merged = merge_grids(merged, others[i], operation_of(argument.flag, 0, 1), part);
+    } catch (const Error& error) {
+      throw Error(error.code(), argument.value + ": " + error.what());
+    }
+  }
+  return merged;
 }
 
 }  // namespace kdm::cli

@@ -27,4 +27,8 @@ std::vector<SolidFile> solid_files(const Command& command);
 MadeManifold make_solids(const Command& command, const std::string& input_name, const Mesh& input,
                          const StepProgress& progress, RunReport& report);
 
+/// Merges the grid in INPUT with those of the operations, from left to right. Throws `Error`, whose
+/// message begins with the file at fault.
+Grid merge_grids_of(const Command& command, const std::string& input, const Progress& progress);
+
 }  // namespace kdm::cli

@@ -112,4 +112,17 @@ ConstructedCells construct_cells(const Surface& surface, InsideModel& model,
   }
 }
 
+std::vector<TriangleId> construct_cells_by(SplitRule& rule, const Surface& surface,
+                                           InsideModel& model, const Progress& progress,
+                                           GridData& grid) {
+  const CellMemory memory;
+  CellMaker maker({surface, kMaxDepth, model, rule, memory, progress}, Budget());
+  maker.make_all();
+  grid.cells = std::move(maker.made().cells);
+  grid.stats = {};
+  rule.report(grid.stats);
+  model.report(grid.stats);
+  return make_hits(maker.made().crossings, surface, model, grid);
+}
+
 }  // namespace kdm

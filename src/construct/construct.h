@@ -11,6 +11,7 @@
 #include "kdmanifold/build.h"
 #include "link/link_finest.h"
 #include "prepare/surface.h"
+#include "split/split_rules.h"
 
 namespace kdm {
 
@@ -39,5 +40,11 @@ struct ConstructedCells {
 ConstructedCells construct_cells(const Surface& surface, InsideModel& model,
                                  const BuildOptions& options, double tolerance, int depth,
                                  CellMemory memory, const Progress& progress, GridData& grid);
+
+/// Does the same where a rule of the caller's splits cells, of a surface that needs no repair.
+/// Returns `ConstructedCells::triangle_of_hit`.
+std::vector<TriangleId> construct_cells_by(SplitRule& rule, const Surface& surface,
+                                           InsideModel& model, const Progress& progress,
+                                           GridData& grid);
 
 }  // namespace kdm

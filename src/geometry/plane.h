@@ -13,6 +13,8 @@ struct Plane {
   Vec3 normal = Vec3::Zero();
   double offset = 0;
 
+  bool operator==(const Plane&) const = default;
+
   /// Returns the distance of a point from the plane in lattice units, positive on the side that the
   /// normal points to.
   double signed_distance(const Vec3& p) const { return normal.dot(p) - offset; }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Checks options against the table in kdmanifold/options.h.
+#include <cmath>
 #include <initializer_list>
 #include <limits>
 
@@ -42,6 +43,23 @@ void check_list(const char* name, Range range, const std::vector<Index>& numbers
   }
 }
 
+void check_box(const char* name, const std::optional<BoxCorners>& box) {
+  if (!box) return;
+  bool ascends = true;
+  bool has_extent = false;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double low = (*box)[i];
+    const double high = (*box)[i + 3];
+    ascends = ascends && std::isfinite(low) && std::isfinite(high) && low <= high;
+    has_extent = has_extent || low < high;
+  }
+  if (ascends && has_extent) return;
+  throw Error(ErrorCode::kInvalidOption,
+              compose("{}: it must be a box of finite numbers, with the lowest corner before the "
+                      "highest",
+                      name));
+}
+
 template <typename Options>
 void check_fields(const Options& options) {
   for_each_field(options, [](const OptionField& field, const auto& value) {
@@ -50,6 +68,8 @@ void check_fields(const Options& options) {
       check_choice(field.name, value);
     } else if constexpr (std::is_same_v<Value, std::vector<Index>>) {
       check_list(field.name, field.range, value);
+    } else if constexpr (std::is_same_v<Value, std::optional<BoxCorners>>) {
+      check_box(field.name, value);
     } else if constexpr (std::is_arithmetic_v<Value> && !std::is_same_v<Value, bool>) {
       check_number(field.name, field.range, field.unset, value,
                    std::is_integral_v<Value> ? "whole number" : "number");

@@ -6,6 +6,8 @@
 #include <Eigen/Geometry>
 
 #include "geometry/predicates.h"
+#include "kdmanifold/error.h"
+#include "text/compose.h"
 
 namespace kdm {
 namespace {
@@ -103,6 +105,22 @@ void find_planes(const InputFaces& faces, const std::vector<Vec3>& exact, Surfac
 }
 
 }  // namespace
+
+Lattice lattice_for(const Box& bounds, const BuildOptions& options) {
+  Box box = bounds;
+  if (options.box) {
+    box.min = Vec3(options.box->data());
+    box.max = Vec3(options.box->data() + 3);
+  }
+  if ((bounds.min.array() < box.min.array()).any() ||
+      (bounds.max.array() > box.max.array()).any()) {
+    throw Error(ErrorCode::kInvalidOption,
+                compose("`box`: the model reaches out of it; its own box is {},{},{},{},{},{}",
+                        bounds.min[0], bounds.min[1], bounds.min[2], bounds.max[0], bounds.max[1],
+                        bounds.max[2]));
+  }
+  return options.cells > 0 ? lattice_of_cells(box, options.cells) : lattice_over(box);
+}
 
 Surface prepare_surface(InputFaces faces, const BuildOptions& options) {
   const Lattice lattice = lattice_for(faces.bounds, options);

@@ -46,10 +46,9 @@ struct Surface {
   bool has_rims() const { return sheet || repair; }
 };
 
-/// Returns the lattice that the options ask for over a box in model units.
-inline Lattice lattice_for(const Box& bounds, const BuildOptions& options) {
-  return options.cells > 0 ? lattice_of_cells(bounds, options.cells) : lattice_over(bounds);
-}
+/// Returns the lattice that the options ask for over the bounding box of faces, in model units.
+/// Throws `kInvalidOption` if the options have a box that does not hold it.
+Lattice lattice_for(const Box& bounds, const BuildOptions& options);
 
 /// Rounds prepared faces to a lattice that holds them, and turns a solid that is inside out.
 Surface surface_of(InputFaces faces, const Lattice& lattice, bool sheet);

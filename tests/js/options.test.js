@@ -71,6 +71,15 @@ function values({ type, least, most, below, words, default: standard }) {
         [[5], [7, 5, 1]],
         [[0], [5, 5], [4, 5], [7, 0.5]],
       ];
+    case 'box':
+      return [
+        [[-1, -1, -1, 4, 4, 4]],
+        [
+          [1, 2, 3, 4, 5],
+          [0, 0, 0, 0, 0, 0],
+          [5, 5, 5, -1, -1, -1],
+        ],
+      ];
     default: {
       const legal = [most ?? (below === undefined ? 1000 : below / 2)];
       const wrong = [least - 1, Infinity];

@@ -8,7 +8,7 @@ import {
   type Useless,
 } from './check-combination.js';
 import { KdManifoldError } from './errors.js';
-import { isLegal, rangeText, type OptionSpec } from './option-spec.js';
+import { isBox, isLegal, rangeText, type OptionSpec } from './option-spec.js';
 import {
   analyzeOptions,
   buildOptions,
@@ -209,6 +209,9 @@ function checkOption(name: string, value: unknown, spec: OptionSpec): void {
       if (!isDescending(value, spec.least)) {
         refuse(`whole numbers from ${spec.least} on, each smaller than the one before`);
       }
+      break;
+    case 'box':
+      if (!isBox(value)) refuse('6 finite numbers, the lowest corner before the highest');
       break;
     case 'boolean':
       if (typeof value !== 'boolean') refuse('true or false');

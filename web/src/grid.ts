@@ -11,6 +11,8 @@ import {
   type CheckedReduction,
 } from './check-input.js';
 import { dispose } from './dispose.js';
+import { KdManifoldError } from './errors.js';
+import { postfix, type BooleanExpression, type BooleanOperation } from './expression.js';
 import { Held, type Registry } from './held.js';
 import type { RawGrid, RawMade } from './kdmanifold.js';
 import { stepsOf, type Shares, type StepOptions } from './steps.js';
@@ -187,6 +189,53 @@ export class Grid {
     const { error = false } = checkCompareOptions(options);
     const [from, to] = [checkMesh(input), checkPolygonMesh(result)];
     return call(this.#held.health, undefined, () => raw.compare(from, to, error));
+  }
+
+  /**
+   * Makes the grid of what an operation says of this grid's solid and another one's, without their meshes: grids that were
+   * built, merged, simplified or loaded serve alike. Both must have been built with the same `box`. Where one of them alone
+   * has surface, its cells and hits are taken over as they are; where both have, the surfaces that the grids span are cut
+   * with each other within the wider of both tolerances. The result is always a valid grid, of which `extract` makes a
+   * closed 2-manifold; where both have surface its topology is not certified, so `stats.topologyResolved` is then false,
+   * and surfaces nearer than the tolerance may leave slivers and gaps thinner than that. Both grids stay as they are.
+   *
+   * @param other - the other grid, of the same instance of the library
+   * @param expression - an operation, which joins this grid and the other one, or an expression over their numbers 0 and 1
+   * @param options - a callback for progress
+   * @returns the grid, which holds memory until `delete()`
+   * @throws {@link KdManifoldError} with `INVALID_OPTION`, `EMPTY_RESULT`, `OUT_OF_MEMORY`, `ABORTED`, `DELETED`
+   *
+   * @example
+   * ```js
+   * import { load } from 'kdmanifold';
+   *
+   * const kdm = await load();
+   * const box = [-10, -10, -10, 10, 10, 10]; // the lowest corner and the highest
+   * const part = kdm.buildGrid({ positions, indices }, { box });
+   * const merged = part.merge(kdm.loadGrid(part.save()), 'union');
+   * console.log(merged.extract().indices.length / 3);
+   * for (const grid of [part, merged]) grid.delete();
+   * ```
+   */
+  merge(
+    other: Grid,
+    expression: BooleanOperation | BooleanExpression,
+    options: ProgressOptions = {},
+  ): Grid {
+    const raw = this.#held.get();
+    if (!(other instanceof Grid) || other.#held.health !== this.#held.health) {
+      throw new KdManifoldError(
+        'INVALID_OPTION',
+        'other: expected a grid of the same instance of the library',
+      );
+    }
+    const second = other.#held.get();
+    const written = postfix(expression, 2);
+    const { health, registry } = this.#held;
+    const merged = call(health, options.onProgress, (progress) =>
+      raw.merge(second, written, progress),
+    );
+    return Grid.of(merged, registry, health);
   }
 
   /**

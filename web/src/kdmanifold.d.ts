@@ -41,6 +41,7 @@ export interface RawGrid {
   make(options: object, begin: RawSteps): Answer<RawMade>;
   simplify(options: object, progress: RawProgress): Answer<SimplifyReport>;
   compare(input: PolygonMeshInput, result: PolygonMeshInput, error: boolean): Answer<Account>;
+  merge(other: RawGrid, expression: Int32Array, progress: RawProgress): Answer<RawGrid>;
   save(): Answer<Uint8Array<ArrayBuffer>>;
   stats(): GridStats;
   input(): InputReport;

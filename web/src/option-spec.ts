@@ -10,6 +10,7 @@ export type OptionSpec = {
   | NumberSpec
   | { kind: 'boolean'; default: boolean }
   | { kind: 'numbers'; least: number }
+  | { kind: 'box' }
   | { kind: 'text'; shortName?: string; repeats?: boolean }
 );
 
@@ -38,6 +39,17 @@ export function isLegal(value: unknown, spec: NumberSpec): boolean {
     value <= most &&
     value < below
   );
+}
+
+/** @internal Reads a decimal number that may have a sign; NaN if it is none. */
+export const signedNumber = (text: string): number =>
+  /^-?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(text) ? Number(text) : NaN;
+
+/** @internal Whether these are the lowest and the highest corner of a box, which may be flat but no point. */
+export function isBox(value: unknown): boolean {
+  if (!Array.isArray(value) || value.length !== 6 || !value.every(Number.isFinite)) return false;
+  const [low, high] = [value.slice(0, 3) as number[], value.slice(3) as number[]];
+  return low.every((x, i) => x <= (high[i] as number)) && low.some((x, i) => x !== high[i]);
 }
 
 /** @internal The range as it completes "a number ...": "from 0 on", "from 0 to 180". */

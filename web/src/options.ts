@@ -96,6 +96,13 @@ export interface BuildOptions {
    * after `minimumThickness`. 0, the default: none.
    */
   minimumGap?: number;
+  /**
+   * The box over which the grid is laid, its lowest and its highest corner, in model units. It must
+   * hold the model. Grids over the same box can be merged. One that is much larger than the model
+   * costs precision: positions are decided in steps of a millionth of its longest side. Left out:
+   * the model's own bounding box.
+   */
+  box?: readonly number[];
 }
 
 /** How a grid becomes a mesh. */
@@ -293,6 +300,7 @@ export const buildOptions: OptionTable<BuildOptions> = {
   thickenWhat: { flag: '--thicken-what', kind: 'choice', words: ['all', 'sheets'], default: 'all' },
   minimumThickness: { flag: '--minimum-thickness', kind: 'number', least: 0, default: 0 },
   minimumGap: { flag: '--minimum-gap', kind: 'number', least: 0, default: 0 },
+  box: { flag: '--box', kind: 'box' },
 };
 
 /** @internal */

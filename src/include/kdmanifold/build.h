@@ -2,6 +2,9 @@
 // Builds a kd-tree grid from a mesh (paper section 5.1).
 #pragma once
 
+#include <array>
+#include <optional>
+
 #include "kdmanifold/grid.h"
 #include "kdmanifold/mesh.h"
 #include "kdmanifold/progress.h"
@@ -49,6 +52,9 @@ enum class Pairing {
   kOutside   ///< paper 2.1: link the two hits at the ends of an outside stretch of the outline
 };
 
+/// The lowest and the highest corner of a box: x, y, z and again x, y, z.
+using BoxCorners = std::array<double, 6>;
+
 /// What `build_grid` can be told. Each default serves; `options.h` describes the same members for
 /// programs.
 struct BuildOptions {
@@ -94,6 +100,11 @@ struct BuildOptions {
   /// Fills gaps, holes and cavities of the solid that are narrower than this, in the same way: it
   /// is the least thickness of what lies outside. After `minimum_thickness`.
   double minimum_gap = 0;
+  /// The box over which the grid is laid, in model units; it must hold the model and have an
+  /// extent. Grids that were laid over the same box can be merged (see `merge_grids`). If not set,
+  /// it is the model's own bounding box. A box much larger than the model costs precision:
+  /// positions are decided in steps of a millionth of its longest side.
+  std::optional<BoxCorners> box = std::nullopt;
 };
 
 /// Builds the grid of a mesh after joining vertices of exactly equal position. What the mesh must

@@ -75,10 +75,10 @@ Word(const char*, Value, const char*) -> Word<Value>;
 
 /// One option. Its kind follows from the member's type: `bool` is a flag, `std::optional<bool>` a
 /// flag that is on but where something excludes it, `int` a whole number, `double` a number,
-/// `std::vector<Index>` whole numbers of which each is smaller than the one before, an enumeration
-/// a choice between `words_of` it, `std::string` a text. Names
-/// of other options stand in backticks in the texts, as C++ writes them, and are to be turned into
-/// the form that the reader knows (`camel_case`).
+/// `std::vector<Index>` whole numbers of which each is smaller than the one before,
+/// `std::optional<BoxCorners>` a box, an enumeration a choice between `words_of` it, `std::string`
+/// a text. Names of other options stand in backticks in the texts, as C++ writes them, and are to
+/// be turned into the form that the reader knows (`camel_case`).
 struct OptionField {
   const char* name;             ///< of the member, e.g. "split_error"
   const char* short_name = "";  ///< one letter that command lines take as well, e.g. "o"

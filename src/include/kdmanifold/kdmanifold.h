@@ -14,6 +14,7 @@
 #include "kdmanifold/grid.h"
 #include "kdmanifold/grid_io.h"
 #include "kdmanifold/make_manifold.h"
+#include "kdmanifold/merge.h"
 #include "kdmanifold/mesh.h"
 #include "kdmanifold/mesh_io.h"
 #include "kdmanifold/progress.h"

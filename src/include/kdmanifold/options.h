@@ -242,6 +242,16 @@ void for_each_field(Options& options, Visit&& visit) {
                     .details = "In the same way, after `minimum_thickness`.",
                     .unit = Unit::kModelUnits},
         options.minimum_gap);
+  visit(
+      OptionField{.name = "box",
+                  .letter = "X,Y,Z,X,Y,Z",
+                  .help = "the box over which the grid is laid, its lowest and its highest corner",
+                  .details = "It must hold the model. Grids over the same box can be merged. One "
+                             "that is much larger than the model costs precision: positions are "
+                             "decided in steps of a millionth of its longest side.",
+                  .unit = Unit::kModelUnits,
+                  .unset = "the model's own bounding box"},
+      options.box);
 }
 
 /// See `for_each_field` of `BuildOptions`.

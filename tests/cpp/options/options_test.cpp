@@ -126,6 +126,16 @@ void expect_ranges_checked(Options options = {}) {
         member = wrong;
         EXPECT_EQ(complaint(options).rfind(std::string(field.name) + " is ", 0), 0u);
       }
+    } else if constexpr (std::is_same_v<Value, std::optional<BoxCorners>>) {
+      for (const BoxCorners& legal : {BoxCorners{0, 0, 0, 1, 1, 1}, BoxCorners{0, 0, 0, 0, 0, 1}}) {
+        member = legal;
+        EXPECT_EQ(complaint(options), "") << field.name;
+      }
+      for (const BoxCorners& wrong :
+           {BoxCorners{}, BoxCorners{1, 1, 1, 0, 2, 2}, BoxCorners{0, 0, 0, 1, 1, kInfinity}}) {
+        member = wrong;
+        EXPECT_EQ(complaint(options).rfind(std::string(field.name) + ": ", 0), 0u);
+      }
     } else if constexpr (std::is_arithmetic_v<Value> && !std::is_same_v<Value, bool>) {
       member = static_cast<Value>(field.range.least);
       EXPECT_EQ(complaint(options), "") << field.name;

@@ -120,6 +120,7 @@ TEST_F(Cli, HelpListsTheOptions) {
       options.insert(it->str());
     }
     EXPECT_EQ(options, (std::set<std::string>{"--add-material",
+                                              "--box",
                                               "--cells",
                                               "--check",
                                               "--crease-angle",

@@ -44,6 +44,50 @@ test('the report has one part an operand, in JSON', () =>
     expect(native.output.crossings).toBe(0); // embedded
   }));
 
+test('both merge saved grids to the same bytes', () =>
+  withFolder((folder) => {
+    writeMesh(kdm, join(folder, 'a.obj'), cube(2, [3, 0, 0.3]));
+    writeMesh(kdm, join(folder, 'torus.obj'), torus());
+    const box = ['--box=-5,-5,-5,5,5,5', '--tolerance', '0.02'];
+    for (const name of ['a', 'torus']) {
+      const args = [`${name}.obj`, '--save-grid', `${name}.kdgrid`, '--force', ...box];
+      expect(both(args, { cwd: folder }).map(({ status }) => status)).toEqual([0, 0]);
+    }
+    for (const operation of [
+      '--union',
+      '--intersection',
+      '--difference',
+      '--symmetric-difference',
+    ]) {
+      const saved = ['native.kdgrid', 'node.kdgrid'];
+      const [native, node] = saved.map((name, i) => {
+        const args = [
+          'torus.kdgrid',
+          operation,
+          'a.kdgrid',
+          '--save-grid',
+          name,
+          '--force',
+          '--json',
+        ];
+        const { status, stdout } = programs[i][1](args, { cwd: folder });
+        expect(status).toBe(0);
+        return JSON.parse(stdout);
+      });
+      expect(native.output.twoManifold).toBe(true);
+      expect(native.operands).toHaveLength(2);
+      expect(node.output).toEqual(native.output);
+      const [first, second] = saved.map((name) => readFileSync(join(folder, name)));
+      expect(first.equals(second)).toBe(true);
+    }
+    // Grids over different boxes.
+    both(['a.obj', '--save-grid', 'a.kdgrid', '--force'], { cwd: folder });
+    const [native, node] = both(['torus.kdgrid', '--union', 'a.kdgrid'], { cwd: folder });
+    expect(native.status).toBe(2);
+    expect(native.stderr).toMatch(/^kdmanifold: a\.kdgrid: .*different lattices.*--box/);
+    expect(node).toEqual(native);
+  }));
+
 test('both refuse the same in the same words', () =>
   withFolder((folder) => {
     writeMesh(kdm, join(folder, 'a.obj'), cube());
@@ -52,6 +96,9 @@ test('both refuse the same in the same words', () =>
       ['a.obj', '--union', 'missing.obj'],
       ['a.obj', '--union', '-'],
       ['a.obj', '--union', 'a.kdgrid'],
+      ['a.kdgrid', '--union', 'a.obj'],
+      ['a.kdgrid', '--union', 'a.kdgrid', '--transform', '1,0,0,0,0,1,0,0,0,0,1,0'],
+      ['a.kdgrid', '--union', 'missing.kdgrid'],
       ['a.obj', '--union'],
       ['a.obj', '--union='],
       ['a.obj', '--transform', '1,2,3'],

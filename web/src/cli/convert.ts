@@ -8,7 +8,7 @@ import { converts, joinsSolids, withTypedNames, type Command } from './options.j
 import { levelPath, type Task } from './plan.js';
 import type { ProgressLine } from './progress.js';
 import type { CliReport } from './report.js';
-import { makeSolids, readSolids } from './solids.js';
+import { makeSolids, mergeGrids, readSolids } from './solids.js';
 import { KdManifoldError } from '../errors.js';
 import type { Grid } from '../grid.js';
 import type { RawMade } from '../kdmanifold.js';
@@ -138,10 +138,16 @@ async function work(
   let input: MeshInput | undefined;
   progress.show('reading');
   if (formats.input === undefined) {
-    const grid = library.loadGrid(await readAll(task.input), task.input);
-    seconds.read = lap();
-    made = grid.make(command.extract, command.reduction, steps);
-    seconds.build = 0; // as the native program says
+    if (joinsSolids(command)) {
+      steps.onStep('build');
+      const grid = await mergeGrids(library, command, task.input, steps.onProgress);
+      made = grid.make(command.extract, command.reduction, steps);
+    } else {
+      const grid = library.loadGrid(await readAll(task.input), task.input);
+      seconds.read = lap();
+      made = grid.make(command.extract, command.reduction, steps);
+      seconds.build = 0; // as the native program says
+    }
   } else {
     const { mesh, warnings } = await readMesh(library, task.input, formats.input);
     report.warnings = warnings;

@@ -14,7 +14,7 @@ import {
 import type { CheckedReduction } from '../check-input.js';
 import { KdManifoldError } from '../errors.js';
 import { namesAGrid } from '../library.js';
-import { isLegal, rangeText, type OptionSpec } from '../option-spec.js';
+import { isBox, isLegal, rangeText, signedNumber, type OptionSpec } from '../option-spec.js';
 import { buildOptions, extractOptions, reductionOptions } from '../options.js';
 import type { BuildOptions, ExtractOptions } from '../types.js';
 
@@ -197,9 +197,19 @@ function readValue(name: string, spec: OptionSpec, text: string): string | numbe
     }
     case 'numbers':
       return readNumbers(name, spec.least, text);
+    case 'box':
+      return readBox(name, text);
     case 'boolean':
       return usageError(`${name}: takes no value`);
   }
+}
+
+function readBox(name: string, text: string): number[] {
+  const box = text.split(',').map(signedNumber);
+  if (isBox(box)) return box;
+  return usageError(
+    `${name}: '${text}' is no box: 6 numbers with commas between them, the lowest corner before the highest`,
+  );
 }
 
 // Reads whole numbers of which each is smaller than the one before. What is too large for 32 bits limits nothing.

@@ -7,7 +7,6 @@ import { expand, isPattern } from './glob.js';
 import { asTyped, usageError, type Command } from './options.js';
 import { namesAGrid } from '../library.js';
 import { buildOptions } from '../options.js';
-import { solidOptions } from './table.js';
 
 /** One input and its result. */
 export interface Task {
@@ -53,8 +52,23 @@ function checkNumber(command: Command, count: number): void {
 
 function checkGrid(command: Command, input: string): void {
   if (command.report.stats) refuse(command, '--stats', `${input} is a grid, which has no faces`);
-  for (const { flag } of [...Object.values(buildOptions), ...Object.values(solidOptions)]) {
+  for (const { flag } of Object.values(buildOptions)) {
     if (command.typed.has(flag)) refuse(command, flag, `the grid in ${input} is built already`);
+  }
+}
+
+// Grids are merged with grids, meshes joined with meshes.
+function checkOperands({ solids }: Command, { input, isGrid }: Task): void {
+  for (const { flag, typed, value } of solids) {
+    if (flag === '--transform') {
+      if (isGrid) usageError(`${typed}: the grid in ${input} stays where it is`);
+    } else if (isGrid !== namesAGrid(value)) {
+      usageError(
+        isGrid
+          ? `${typed}: ${value} is no grid, but ${input} is: grids are merged with grids`
+          : `${typed}: ${value} is a grid, but ${input} is a mesh`,
+      );
+    }
   }
 }
 
@@ -106,6 +120,7 @@ export function plan(command: Command): Task[] {
     const task: Task = { input, isGrid: inputFormat === undefined && namesAGrid(input) };
     if (output !== undefined) task.output = output;
     if (task.isGrid) checkGrid(command, input);
+    checkOperands(command, task);
     if (outDir !== undefined) task.output = pathIn(outDir, command, task);
     return task;
   });

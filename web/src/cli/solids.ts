@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
 // The operands of Boolean operations, as src/cli/solids.cpp reads and joins them, word for word.
+import { readAll } from './files.js';
 import { standardStream } from './formats.js';
 import { usageError, type Command, type RepeatedArgument } from './options.js';
 import { KdManifoldError } from '../errors.js';
 import type { BooleanExpression } from '../expression.js';
 import type { Grid } from '../grid.js';
 import type { RawMade } from '../kdmanifold.js';
-import { namesAGrid, type KdManifold } from '../library.js';
+import type { KdManifold } from '../library.js';
+import { signedNumber } from '../option-spec.js';
 import { checkSolids } from '../solids.js';
 import type { StepOptions } from '../steps.js';
-import type { MeshInput } from '../types.js';
+import type { MeshInput, ProgressCallback } from '../types.js';
 
 /** One operand: INPUT, or the file of an operation. */
 export interface SolidFile {
@@ -42,7 +44,6 @@ export function readSolids({ solids }: Command, input = ''): SolidFile[] {
       continue;
     }
     if (value === standardStream) refuse(argument, 'it cannot be read from a stream');
-    if (namesAGrid(value)) refuse(argument, `${value} is a grid, but operands are meshes`);
     file = { path: value, transform: null, operation: flag };
     files.push(file);
   }
@@ -51,9 +52,7 @@ export function readSolids({ solids }: Command, input = ''): SolidFile[] {
 
 // Reads the rows of a matrix, and returns its columns; null if it is none.
 function transformOf(text: string): number[] | null {
-  const numbers = text
-    .split(',')
-    .map((one) => (/^-?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(one) ? Number(one) : NaN));
+  const numbers = text.split(',').map(signedNumber);
   if (numbers.length === 12) numbers.push(0, 0, 0, 1);
   const last = numbers.slice(12).join();
   if (numbers.length !== 16 || !numbers.every(Number.isFinite) || last !== '0,0,0,1') return null;
@@ -66,6 +65,36 @@ const operations = {
   '--difference': 'difference',
   '--symmetric-difference': 'symmetricDifference',
 } as const;
+
+/** Merges the grid in INPUT with those of the operations, from left to right. Errors begin with the file at fault. */
+export async function mergeGrids(
+  library: KdManifold,
+  { solids }: Command,
+  input: string,
+  onProgress: ProgressCallback,
+): Promise<Grid> {
+  const grids: Grid[] = [];
+  try {
+    for (const path of [input, ...solids.map(({ value }) => value)]) {
+      grids.push(library.loadGrid(await readAll(path), path));
+    }
+    for (const [i, { flag, value }] of solids.entries()) {
+      const [merged, other] = [grids[0], grids[i + 1]] as [Grid, Grid];
+      try {
+        grids[0] = merged.merge(other, operations[flag as keyof typeof operations], {
+          onProgress: (fraction, phase) => onProgress((i + fraction) / solids.length, phase),
+        });
+      } catch (error) {
+        if (!(error instanceof KdManifoldError)) throw error;
+        throw new KdManifoldError(error.code, `${value}: ${error.message}`);
+      }
+      merged.delete();
+    }
+    return grids.shift() as Grid;
+  } finally {
+    for (const grid of grids) grid.delete();
+  }
+}
 
 /**
  * Makes what the operations say, which are done from left to right. Errors of an operand begin with its
