@@ -15,4 +15,9 @@ namespace kdm {
 /// parts are left as they are. Takes linear time if no point has very many triangles.
 Marks find_copies(std::span<const Triangle> triangles, Index points, const Topology& topology);
 
+/// The same where only odd winding numbers are inside: of a part that is there an even number of
+/// times nothing stays, for two copies bound nothing together.
+Marks find_copies_that_cancel(std::span<const Triangle> triangles, Index points,
+                              const Topology& topology);
+
 }  // namespace kdm

@@ -111,6 +111,22 @@ void drop_copies(InputFaces& faces) {
   find_topology(faces);
 }
 
+// The same where only odd winding numbers are inside: of a part that is there an even number of
+// times nothing stays.
+void cancel_copies(InputFaces& faces) {
+  const Marks copies = find_copies_that_cancel(
+      faces.triangles, static_cast<Index>(faces.points.size()), faces.topology);
+  if (!copies.any()) return;
+  faces.report.duplicate_faces += drop_faces(faces, copies);
+  if (faces.triangles.empty()) {
+    throw Error(
+        ErrorCode::kNotClosed,
+        "the surface encloses nothing: each part is there an even number of times, and only "
+        "odd winding numbers are inside");
+  }
+  find_topology(faces);
+}
+
 // Says what the input is before anything is done to it.
 void describe(InputFaces& faces) {
   const Extent extent = find_extent(faces.triangles, faces.points, faces.topology, faces.bounds);
@@ -154,6 +170,7 @@ void make_closed(InputFaces& faces, const BuildOptions& options) {
     tidy_closed_parts(faces);
   } else {
     cancel_opposite_faces(faces);
+    if (options.inside == InsideRule::kOdd) cancel_copies(faces);
   }
 }
 

@@ -24,7 +24,7 @@ export interface InputReport {
   degenerateFaces: number;
   /** Faces that lie back to back in pairs; they take no part. */
   cancelledFaces: number;
-  /** `repair`: further faces over the same corners; they take no part. */
+  /** `repair`, `odd`: faces over the same corners as others; they take no part. */
   duplicateFaces: number;
   /** `repair`: pairs of boundary edges, no further apart than the tolerance, that were joined. */
   sewnEdges: number;

@@ -26,9 +26,10 @@ struct InputReport {
   /// Faces without area once positions are rounded to the lattice; they take no part.
   Index degenerate_faces = 0;
   Index cancelled_faces = 0;  ///< faces that lie back to back in pairs; they take no part
-  Index duplicate_faces = 0;  ///< `kRepair`: further faces over the same corners; they take no part
-  Index sewn_edges = 0;       ///< `kRepair`: pairs of boundary edges, no further apart than the
-                              ///< tolerance, that were joined
+  /// `kRepair`, `kOdd`: faces over the same corners as others; they take no part.
+  Index duplicate_faces = 0;
+  Index sewn_edges = 0;  ///< `kRepair`: pairs of boundary edges, no further apart than the
+                         ///< tolerance, that were joined
   /// `kRepair`: faces that were turned to agree with their neighbours and look outwards.
   Index turned_faces = 0;
   /// `kRepair`: closed parts that were inside out and have been turned, their faces counting as

@@ -47,7 +47,7 @@ void for_each_field(Report& report, Visit&& visit) {
   visit(ReportField{"cancelled_faces", "Faces that lie back to back in pairs; they take no part"},
         report.cancelled_faces);
   visit(ReportField{"duplicate_faces",
-                    "`repair`: further faces over the same corners; they take no part"},
+                    "`repair`, `odd`: faces over the same corners as others; they take no part"},
         report.duplicate_faces);
   visit(ReportField{"sewn_edges",
                     "`repair`: pairs of boundary edges, no further apart than the tolerance, that "

@@ -163,5 +163,30 @@ TEST(Doubled, ASheetIsRefusedWithAdvice) {
   }
 }
 
+// Where only odd winding numbers are inside, two copies bound nothing. As long as they were kept,
+// cells were split between them down to the finest ones.
+TEST(Doubled, CopiesCancelWhereOddNumbersAreInside) {
+  const Mesh ball = shapes::icosphere(2);
+  const Mesh other = shapes::translated(ball, Vec3(0.9, 0.1, 0));
+  const BuildOptions options{.relative_tolerance = 0.01, .inside = InsideRule::kOdd};
+  const Grid once = build_grid(shapes::merged({ball, other}), options);
+  const Grid thrice = build_grid(shapes::merged({ball, ball, other, ball}), options);
+  EXPECT_EQ(thrice.input().duplicate_faces, 2 * ball.triangles.size());
+  EXPECT_EQ(thrice.stats().cells, once.stats().cells);
+  EXPECT_EQ(thrice.stats().hits, once.stats().hits);
+  const Grid alone = build_grid(other, options);
+  const Grid twice = build_grid(shapes::merged({ball, other, ball}), options);
+  EXPECT_EQ(twice.input().duplicate_faces, 2 * ball.triangles.size());
+  EXPECT_NEAR(shapes::signed_volume(extract(twice)), shapes::signed_volume(extract(alone)), 0.06);
+  EXPECT_LT(twice.stats().cells, 4 * alone.stats().cells);
+  try {
+    build_grid(shapes::merged({ball, ball}), options);
+    FAIL() << "nothing is enclosed";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kNotClosed);
+    EXPECT_NE(std::string(error.what()).find("even number of times"), std::string::npos);
+  }
+}
+
 }  // namespace
 }  // namespace kdm
