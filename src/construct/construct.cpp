@@ -11,6 +11,7 @@
 #include "construct/bottom_up.h"
 #include "construct/cell_maker.h"
 #include "construct/cells_in_parts.h"
+#include "threads/share_work.h"
 
 namespace kdm {
 namespace {
@@ -40,7 +41,9 @@ double make_cells(const Construction& construction, double tolerance, const Cell
                             : Budget();
   if (memory.notes != nullptr) *memory.notes = {};
   std::optional<MadeCells> shared;
-  if (may_be_shared(task)) shared = make_cells_in_parts(task, budget, make_rule);
+  if constexpr (kHasThreads) {
+    if (may_be_shared(task)) shared = make_cells_in_parts(task, budget, make_rule);
+  }
   if (shared) {
     made = std::move(*shared);
   } else {

@@ -9,6 +9,7 @@
 #include "inside/winding_field.h"
 #include "inside/winding_oracle.h"
 #include "inside/write_hits.h"
+#include "threads/share_work.h"
 
 namespace kdm {
 namespace {
@@ -47,7 +48,7 @@ class WindingModel final : public InsideModel {
   }
 
   std::unique_ptr<InsideModel> fork() const override {
-    return std::make_unique<WindingModel>(*this);
+    return kHasThreads ? std::make_unique<WindingModel>(*this) : nullptr;
   }
 
  private:

@@ -8,6 +8,7 @@
 #include "inside/gaps.h"
 #include "inside/winding.h"
 #include "inside/write_hits.h"
+#include "threads/share_work.h"
 
 namespace kdm {
 namespace {
@@ -117,7 +118,9 @@ class SolidsModel::Fork final : public SolidsModel {
   std::unique_ptr<SolidStates> own_states_;
 };
 
-std::unique_ptr<InsideModel> SolidsModel::fork() const { return std::make_unique<Fork>(*this); }
+std::unique_ptr<InsideModel> SolidsModel::fork() const {
+  return kHasThreads ? std::make_unique<Fork>(*this) : nullptr;
+}
 
 }  // namespace
 

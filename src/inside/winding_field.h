@@ -10,6 +10,7 @@
 #include "inside/point_field.h"
 #include "inside/winding_boxes.h"
 #include "inside/winding_tree.h"
+#include "threads/share_work.h"
 
 namespace kdm {
 
@@ -47,7 +48,7 @@ class WindingField final : public PointField {
   std::size_t work() const override { return work_; }
 
   std::shared_ptr<const PointField> fork() const override {
-    return std::make_shared<WindingField>(*this);
+    return kHasThreads ? std::make_shared<WindingField>(*this) : nullptr;
   }
 
  private:

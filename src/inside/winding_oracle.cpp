@@ -62,12 +62,14 @@ std::unique_ptr<InsideModel> WindingOracle::fork() const {
 }
 
 std::unique_ptr<WindingOracle> WindingOracle::fork_oracle() const {
+  if constexpr (!kHasThreads) return nullptr;
   std::shared_ptr<const PointField> field = field_->fork();
   if (!field) return nullptr;
   return std::unique_ptr<WindingOracle>(new WindingOracle(*this, std::move(field)));
 }
 
 void WindingOracle::join(InsideModel& fork) {
+  if constexpr (!kHasThreads) return;
   auto& oracle = static_cast<WindingOracle&>(fork);
   known_states_.merge(oracle.known_states_);
   joined_work_ += oracle.work() - oracle.work_before_;
@@ -77,6 +79,7 @@ void WindingOracle::join(InsideModel& fork) {
 // field can be asked by several.
 template <typename Ask>
 void WindingOracle::share(std::size_t count, const Ask& ask) {
+  if constexpr (!kHasThreads) return ask(*this, 0, count);
   constexpr std::size_t kNumbersPerPart = 512;
   const std::size_t parts = count / kNumbersPerPart + 1;
   const int threads = static_cast<int>(std::min(static_cast<std::size_t>(workers()), parts));

@@ -9,6 +9,14 @@
 
 namespace kdm {
 
+/// Whether there can be several threads at all: not in WebAssembly that is built without. What only
+/// several need is left out there, since pages would have to fetch it.
+#if defined(__EMSCRIPTEN__) && !defined(__EMSCRIPTEN_PTHREADS__)
+inline constexpr bool kHasThreads = false;
+#else
+inline constexpr bool kHasThreads = true;
+#endif
+
 /// Returns how many threads `share_work` uses if it is called here: 1 within a task of it.
 int workers();
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// WebAssembly without threads leaves this file out.
+// WebAssembly without threads leaves this file out (see kHasThreads).
 #if !defined(__EMSCRIPTEN__) || defined(__EMSCRIPTEN_PTHREADS__)
 #include "threads/thread_pool.h"
 
