@@ -21,7 +21,7 @@ constexpr std::size_t kPartsPerWorker = 12;
 struct Oracle {
   std::unique_ptr<InsideModel> model;
   std::unique_ptr<SplitRule> rule;
-  std::size_t work_before;  // of the model
+  std::size_t work_before;  // of the model, when it was made
 
   std::size_t work() const { return model->work() - work_before; }
 };
@@ -189,14 +189,16 @@ std::optional<MadeCells> make_cells_in_parts(const CellTask& task, const Budget&
   const std::vector<Subtree> subtrees = top.make_top(static_cast<Index>(
       task.surface.triangles.size() / (kPartsPerWorker * static_cast<std::size_t>(threads))));
   // The others begin with the states that are known now: those that the parts begin with.
-  for (int i = 1; i < threads; ++i) add_oracle(*oracles[0].model, make_rule, oracles);
+  for (int i = 1; i < threads; ++i) {
+    if (!add_oracle(*oracles[0].model, make_rule, oracles)) return std::nullopt;
+  }
   double left = 0;
   for (const Subtree& subtree : subtrees)
     left += subtree.frame.done_after - subtree.frame.done_before;
   SharedProgress progress(task.progress, 1 - left);
   std::vector<MadeCells> parts(subtrees.size());
   std::atomic<bool> sufficed = top.budget().sufficed();
-  share_work(subtrees.size(), [&](std::size_t i, int worker) {
+  share_work(subtrees.size(), threads, [&](std::size_t i, int worker) {
     if (!sufficed) return;
     const Subtree& subtree = subtrees[i];
     const Progress of_part = progress.of_part(subtree.frame, worker);

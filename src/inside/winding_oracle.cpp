@@ -82,13 +82,13 @@ void WindingOracle::share(std::size_t count, const Ask& ask) {
   if constexpr (!kHasThreads) return ask(*this, 0, count);
   constexpr std::size_t kNumbersPerPart = 512;
   const std::size_t parts = count / kNumbersPerPart + 1;
-  const int threads = static_cast<int>(std::min(static_cast<std::size_t>(workers()), parts));
+  const std::size_t threads = std::min(static_cast<std::size_t>(workers()), parts);
   std::vector<std::unique_ptr<WindingOracle>> forks;  // for all threads but this one
-  while (static_cast<int>(forks.size()) + 1 < threads) {
+  while (forks.size() + 1 < threads) {
     forks.push_back(fork_oracle());
     if (!forks.back()) return ask(*this, 0, count);
   }
-  share_work(parts, [&](std::size_t part, int worker) {
+  share_work(parts, static_cast<int>(threads), [&](std::size_t part, int worker) {
     WindingOracle& oracle = worker == 0 ? *this : *forks[static_cast<std::size_t>(worker) - 1];
     ask(oracle, begin_of_part(count, part, parts), begin_of_part(count, part + 1, parts));
   });

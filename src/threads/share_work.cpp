@@ -52,14 +52,14 @@ int thread_count() {
 
 int workers() { return in_task ? 1 : thread_count(); }
 
-void share_work(std::size_t tasks, const std::function<void(std::size_t, int)>& work) {
+void share_work(std::size_t tasks, int threads, const std::function<void(std::size_t, int)>& work) {
   const auto do_task = [&](std::size_t task, int worker) {
     const InTask marked;
     work(task, worker);
   };
-  if (tasks > 1 && workers() > 1) {
+  if (tasks > 1 && threads > 1 && !in_task) {
     static ThreadPool pool;
-    if (pool.run(tasks, workers(), do_task)) return;
+    if (pool.run(tasks, threads, do_task)) return;
   }
   for (std::size_t task = 0; task < tasks; ++task) do_task(task, 0);
 }
@@ -70,7 +70,7 @@ int thread_count() { return 1; }
 
 int workers() { return 1; }
 
-void share_work(std::size_t tasks, const std::function<void(std::size_t, int)>& work) {
+void share_work(std::size_t tasks, int, const std::function<void(std::size_t, int)>& work) {
   for (std::size_t task = 0; task < tasks; ++task) work(task, 0);
 }
 

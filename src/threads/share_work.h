@@ -17,14 +17,17 @@ inline constexpr bool kHasThreads = false;
 inline constexpr bool kHasThreads = true;
 #endif
 
-/// Returns how many threads `share_work` uses if it is called here: 1 within a task of it.
+/// Returns how many threads are to share work if it is shared here: 1 within a task.
 int workers();
 
-/// Calls `work(task, worker)` for each task from 0 to `tasks` - 1, on up to `workers()` threads,
-/// and returns when all are done. Tasks begin in their order. `worker` is a number below
-/// `workers()` that no two tasks have at the same time; 0 is always the calling thread. If a task
-/// throws, no more tasks begin, and of those that threw the first one's exception is thrown again.
-void share_work(std::size_t tasks, const std::function<void(std::size_t task, int worker)>& work);
+/// Calls `work(task, worker)` for each task from 0 to `tasks` - 1, on up to `threads` threads, and
+/// returns when all are done. Tasks begin in their order. `worker` is a number below `threads` that
+/// no two tasks have at the same time; 0 is always the calling thread. If a task throws, no more
+/// tasks begin, and of those that threw the first one's exception is thrown again. Within a task
+/// of another call, all is done on the thread at hand. Whoever has something ready for each worker
+/// says for how many: `workers()` may have changed since.
+void share_work(std::size_t tasks, int threads,
+                const std::function<void(std::size_t task, int worker)>& work);
 
 /// Returns the first number of a part, if `count` things are divided into so many parts of about
 /// equal size, numbered from 0. The first number of the part after the last is `count`.

@@ -21,6 +21,7 @@ ThreadPool::~ThreadPool() {
 bool ThreadPool::run(std::size_t tasks, int threads, const Work& work) {
   const std::unique_lock only(running_, std::try_to_lock);
   if (!only) return false;
+  threads = static_cast<int>(std::min(static_cast<std::size_t>(threads), tasks));
   start_threads(threads);
   {
     const std::lock_guard lock(mutex_);

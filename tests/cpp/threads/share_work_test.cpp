@@ -23,7 +23,7 @@ TEST(ShareWork, DoesEachTaskOnce) {
     const ThreadCount set(threads);
     EXPECT_EQ(workers(), threads);
     std::vector<std::atomic<int>> done(kTasks);
-    share_work(kTasks, [&](std::size_t task, int) { ++done[task]; });
+    share_work(kTasks, workers(), [&](std::size_t task, int) { ++done[task]; });
     for (const std::atomic<int>& times : done) ASSERT_EQ(times, 1) << threads << " threads";
   }
 }
@@ -33,7 +33,7 @@ TEST(ShareWork, GivesNoTwoTasksAtATimeTheSameWorker) {
   std::array<std::atomic<int>, 4> at_work{};
   std::atomic<int> faults = 0;
   const std::thread::id caller = std::this_thread::get_id();
-  share_work(kTasks, [&](std::size_t, int worker) {
+  share_work(kTasks, workers(), [&](std::size_t, int worker) {
     if (worker < 0 || worker >= 4) {
       ++faults;
       return;
@@ -46,11 +46,29 @@ TEST(ShareWork, GivesNoTwoTasksAtATimeTheSameWorker) {
   EXPECT_EQ(faults, 0);
 }
 
+// Threads that an earlier call has made take no part in one for fewer.
+TEST(ShareWork, UsesNoMoreWorkersThanThreadsOrTasks) {
+  const ThreadCount set(8);
+  const auto highest = [](std::size_t tasks, int threads) {
+    std::atomic<int> most = 0;
+    share_work(tasks, threads, [&](std::size_t, int worker) {
+      for (int seen = most; worker > seen && !most.compare_exchange_weak(seen, worker);) continue;
+      std::this_thread::yield();
+    });
+    return most.load();
+  };
+  for (int i = 0; i < 200; ++i) {
+    EXPECT_LT(highest(kTasks, 8), 8);
+    EXPECT_LT(highest(kTasks, 2), 2);
+    EXPECT_LT(highest(3, 8), 3);
+  }
+}
+
 TEST(ShareWork, UsesSeveralThreadsAtATime) {
   const ThreadCount set(2);
   // The first two tasks wait for each other.
   std::atomic<int> begun = 0;
-  share_work(2, [&](std::size_t, int) {
+  share_work(2, workers(), [&](std::size_t, int) {
     ++begun;
     while (begun < 2) std::this_thread::yield();
   });
@@ -62,7 +80,7 @@ TEST(ShareWork, ThrowsWhatTheFirstFailingTaskThrew) {
     const ThreadCount set(threads);
     std::atomic<std::size_t> last = 0;
     try {
-      share_work(kTasks, [&](std::size_t task, int) {
+      share_work(kTasks, workers(), [&](std::size_t task, int) {
         if (task >= 3) throw Error(ErrorCode::kAborted, std::to_string(task));
         last = std::max<std::size_t>(last, task);
       });
@@ -74,7 +92,7 @@ TEST(ShareWork, ThrowsWhatTheFirstFailingTaskThrew) {
     EXPECT_LT(last, 3u);
     // The threads are there for the next call.
     std::atomic<std::size_t> done = 0;
-    share_work(kTasks, [&](std::size_t, int) { ++done; });
+    share_work(kTasks, workers(), [&](std::size_t, int) { ++done; });
     EXPECT_EQ(done, kTasks);
   }
 }
@@ -83,10 +101,10 @@ TEST(ShareWork, DoesWhatATaskSharesOnItsOwnThread) {
   const ThreadCount set(4);
   std::atomic<std::size_t> done = 0;
   std::atomic<int> faults = 0;
-  share_work(20, [&](std::size_t, int) {
+  share_work(20, workers(), [&](std::size_t, int) {
     if (workers() != 1) ++faults;
     const std::thread::id own = std::this_thread::get_id();
-    share_work(20, [&](std::size_t, int worker) {
+    share_work(20, 4, [&](std::size_t, int worker) {
       ++done;
       if (worker != 0 || std::this_thread::get_id() != own) ++faults;
     });
@@ -100,7 +118,7 @@ TEST(ShareWork, MayBeCalledByTwoThreads) {
   const ThreadCount set(3);
   std::atomic<std::size_t> done = 0;
   const auto call = [&] {
-    for (int i = 0; i < 50; ++i) share_work(40, [&](std::size_t, int) { ++done; });
+    for (int i = 0; i < 50; ++i) share_work(40, workers(), [&](std::size_t, int) { ++done; });
   };
   std::thread other(call);
   call();

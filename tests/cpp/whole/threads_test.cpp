@@ -77,7 +77,7 @@ TEST(SameOnAnyThreads, Grids) {
       const ThreadCount set(1);
       return build_grid(one.mesh, one.options);
     }();
-    for (const int threads : {2, 5}) {
+    for (const int threads : {2, 5, 40}) {
       const ThreadCount set(threads);
       const Grid shared = build_grid(one.mesh, one.options);
       check::expect_same(alone, shared);
@@ -101,7 +101,7 @@ TEST(SameOnAnyThreads, ReducedMeshes) {
       return static_cast<Mesh>(make_manifold(one.mesh, options));
     };
     const Mesh alone = make(1);
-    for (const int threads : {2, 5}) {
+    for (const int threads : {2, 5, 40}) {
       const Mesh shared = make(threads);
       EXPECT_EQ(alone.positions, shared.positions);
       EXPECT_EQ(alone.triangles, shared.triangles);
@@ -121,7 +121,7 @@ TEST(SameOnAnyThreads, BooleanResults) {
     return static_cast<Mesh>(boolean(expression, operands, {}));
   };
   const Mesh alone = make(1);
-  for (const int threads : {2, 5}) {
+  for (const int threads : {2, 5, 40}) {
     const Mesh shared = make(threads);
     EXPECT_EQ(alone.positions, shared.positions);
     EXPECT_EQ(alone.triangles, shared.triangles);
