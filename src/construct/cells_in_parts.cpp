@@ -12,27 +12,24 @@
 namespace kdm {
 namespace {
 
-// With fewer triangles, the cells are made before the threads have begun.
-constexpr std::size_t kFewestTriangles = 2000;
+// So many triangles are worth another thread.
+constexpr std::size_t kTrianglesPerThread = 1000;
 // Parts per thread: enough that all threads end at about the same time.
 constexpr std::size_t kPartsPerWorker = 12;
 
-// What one thread asks.
+// What one thread asks. The thread makes its rule itself, since that takes time for each triangle.
 struct Oracle {
   std::unique_ptr<InsideModel> model;
-  std::unique_ptr<SplitRule> rule;
   std::size_t work_before;  // of the model, when it was made
+  std::unique_ptr<SplitRule> rule{};
 
   std::size_t work() const { return model->work() - work_before; }
 };
 
-// Makes what one more thread asks. Returns whether that is possible.
-bool add_oracle(const InsideModel& model, const MakeRule& make_rule, std::vector<Oracle>& oracles) {
-  std::unique_ptr<InsideModel> fork = model.fork();
-  if (!fork) return false;
-  std::unique_ptr<SplitRule> rule = make_rule(*fork);
-  oracles.push_back({std::move(fork), std::move(rule), model.work()});
-  return true;
+// Returns how many threads are worth it.
+int threads_for(std::size_t triangles) {
+  return static_cast<int>(
+      std::min(static_cast<std::size_t>(workers()), triangles / kTrianglesPerThread));
 }
 
 // Reports the progress of all threads; the first of them, which is the caller's, does so.
@@ -173,36 +170,42 @@ class Assembly {
 }  // namespace
 
 bool may_be_shared(const CellTask& task) {
-  return workers() > 1 && task.surface.triangles.size() >= kFewestTriangles &&
-         task.rule.is_local() && task.memory.notes == nullptr && task.memory.former == nullptr;
+  return threads_for(task.surface.triangles.size()) > 1 && task.rule.is_local() &&
+         task.memory.notes == nullptr && task.memory.former == nullptr;
 }
 
 std::optional<MadeCells> make_cells_in_parts(const CellTask& task, const Budget& budget,
                                              const MakeRule& make_rule) {
+  const std::size_t triangles = task.surface.triangles.size();
+  const int threads = threads_for(triangles);
   std::vector<Oracle> oracles;
-  if (!add_oracle(task.model, make_rule, oracles)) return std::nullopt;
-  const auto ask = [&](const Oracle& oracle, const Progress& progress) {
+  const auto add_oracle = [&](const InsideModel& model) {
+    std::unique_ptr<InsideModel> fork = model.fork();
+    if (fork) oracles.push_back({std::move(fork), model.work()});
+  };
+  const auto ask = [&](int worker, const Progress& progress) {
+    Oracle& oracle = oracles[static_cast<std::size_t>(worker)];
+    if (!oracle.rule) oracle.rule = make_rule(*oracle.model);
     return CellTask{task.surface, task.depth, *oracle.model, *oracle.rule, task.memory, progress};
   };
-  const int threads = workers();
-  CellMaker top(ask(oracles[0], task.progress), budget);
-  const std::vector<Subtree> subtrees = top.make_top(static_cast<Index>(
-      task.surface.triangles.size() / (kPartsPerWorker * static_cast<std::size_t>(threads))));
+  add_oracle(task.model);
+  if (oracles.empty()) return std::nullopt;
+  CellMaker top(ask(0, task.progress), budget);
+  const std::vector<Subtree> subtrees = top.make_top(
+      static_cast<Index>(triangles / (kPartsPerWorker * static_cast<std::size_t>(threads))));
   // The others begin with the states that are known now: those that the parts begin with.
-  for (int i = 1; i < threads; ++i) {
-    if (!add_oracle(*oracles[0].model, make_rule, oracles)) return std::nullopt;
-  }
+  for (int i = 1; i < threads; ++i) add_oracle(*oracles[0].model);
   double left = 0;
   for (const Subtree& subtree : subtrees)
     left += subtree.frame.done_after - subtree.frame.done_before;
   SharedProgress progress(task.progress, 1 - left);
   std::vector<MadeCells> parts(subtrees.size());
   std::atomic<bool> sufficed = top.budget().sufficed();
-  share_work(subtrees.size(), threads, [&](std::size_t i, int worker) {
+  share_work(subtrees.size(), static_cast<int>(oracles.size()), [&](std::size_t i, int worker) {
     if (!sufficed) return;
     const Subtree& subtree = subtrees[i];
     const Progress of_part = progress.of_part(subtree.frame, worker);
-    CellMaker maker(ask(oracles[static_cast<std::size_t>(worker)], of_part), budget, subtree);
+    CellMaker maker(ask(worker, of_part), budget, subtree);
     maker.make_all();
     if (!maker.budget().sufficed()) sufficed = false;
     parts[i] = std::move(maker.made());
@@ -215,7 +218,7 @@ std::optional<MadeCells> make_cells_in_parts(const CellTask& task, const Budget&
   std::size_t fine_splits = 0;
   std::size_t work = task.model.work();
   for (const Oracle& oracle : oracles) {
-    fine_splits += oracle.rule->tally().fine_splits;
+    if (oracle.rule) fine_splits += oracle.rule->tally().fine_splits;
     work += oracle.work();
   }
   if (!of_all.take_splits(whole.splits()) || of_all.exceeded(work, 1) ||

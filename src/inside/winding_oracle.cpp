@@ -82,7 +82,10 @@ void WindingOracle::share(std::size_t count, const Ask& ask) {
   if constexpr (!kHasThreads) return ask(*this, 0, count);
   constexpr std::size_t kNumbersPerPart = 512;
   const std::size_t parts = count / kNumbersPerPart + 1;
-  const std::size_t threads = std::min(static_cast<std::size_t>(workers()), parts);
+  // A fork copies what the field remembers, which is worth it for many numbers only.
+  constexpr std::size_t kPartsPerThread = 4;
+  const std::size_t threads =
+      std::min(static_cast<std::size_t>(workers()), parts / kPartsPerThread + 1);
   std::vector<std::unique_ptr<WindingOracle>> forks;  // for all threads but this one
   while (forks.size() + 1 < threads) {
     forks.push_back(fork_oracle());
