@@ -135,7 +135,7 @@ bool GridSolid::inside_by_surface(const LatticePoint& point) const {
   LatticePoint at = point;
   bool turned = false;
   bool first = true;
-  std::vector<LineCrossing> found;
+  std::vector<SolidCrossing> found;
   while (first || at[0] > 0) {
     CellId cell = 0;
     while (!grid_.cells[cell].leaf()) {
@@ -156,7 +156,7 @@ bool GridSolid::inside_by_surface(const LatticePoint& point) const {
 }
 
 void GridSolid::cross_leaf(CellId leaf, int axis, const LatticePoint& on_line, std::int32_t low,
-                           std::int32_t high, std::vector<LineCrossing>& found) const {
+                           std::int32_t high, std::vector<SolidCrossing>& found) const {
   const std::int32_t u = on_line[next_axis(axis)];
   const std::int32_t v = on_line[previous_axis(axis)];
   for (const Index t : triangles_in(leaf)) {
@@ -170,7 +170,7 @@ void GridSolid::cross_leaf(CellId leaf, int axis, const LatticePoint& on_line, s
 }
 
 void GridSolid::find_crossings(int axis, const LatticePoint& on_line, std::int32_t low,
-                               std::int32_t high, std::vector<LineCrossing>& found) const {
+                               std::int32_t high, std::vector<SolidCrossing>& found) const {
   const std::size_t first = found.size();
   for_each_stretch(grid_, boxes_, axis, on_line, low, high, [&](const LineStretch& stretch) {
     if (!stretch.on_edge()) {
@@ -184,7 +184,7 @@ void GridSolid::find_crossings(int axis, const LatticePoint& on_line, std::int32
       found.push_back({grid_.hits[h].position, triangle_of_hit_[h], grid_.hits[h].leaving()});
     }
   });
-  sort_by(std::span(found).subspan(first), [](const LineCrossing& a, const LineCrossing& b) {
+  sort_by(std::span(found).subspan(first), [](const SolidCrossing& a, const SolidCrossing& b) {
     return a.position != b.position ? a.position < b.position : a.triangle < b.triangle;
   });
 }

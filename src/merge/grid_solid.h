@@ -17,7 +17,7 @@
 namespace kdm {
 
 /// Where a line leaves or enters the solid.
-struct LineCrossing {
+struct SolidCrossing {
   LinePosition position;
   Index triangle;  ///< of the spanned surface; one at the hit, on the grid's edges
   bool leaving;    ///< upwards along the line
@@ -43,7 +43,7 @@ class GridSolid {
   /// Appends the crossings of the line along `axis` through `on_line` that lie between two
   /// coordinates, ascending.
   void find_crossings(int axis, const LatticePoint& on_line, std::int32_t low, std::int32_t high,
-                      std::vector<LineCrossing>& found) const;
+                      std::vector<SolidCrossing>& found) const;
   /// Returns a hit that is no further than `distance` lattice units from a point and lies on a grid
   /// edge with it; kNone if there is none.
   HitId hit_beside(const LatticePoint& point, std::int32_t distance) const;
@@ -57,7 +57,7 @@ class GridSolid {
   bool inside_on_edge(EdgeId edge, std::int32_t at) const;
   bool inside_by_surface(const LatticePoint& point) const;
   void cross_leaf(CellId leaf, int axis, const LatticePoint& on_line, std::int32_t low,
-                  std::int32_t high, std::vector<LineCrossing>& found) const;
+                  std::int32_t high, std::vector<SolidCrossing>& found) const;
 
   const GridData& grid_;
   std::vector<LatticeBox> boxes_;

@@ -15,9 +15,9 @@ namespace {
 constexpr std::int32_t kRounding = 2;
 
 // Leaves one of an odd number of crossings at one position, and none of an even one.
-void drop_pairs(std::vector<LineCrossing>& found) {
+void drop_pairs(std::vector<SolidCrossing>& found) {
   std::size_t kept = 0;
-  for (const LineCrossing& crossing : found) {
+  for (const SolidCrossing& crossing : found) {
     if (kept > 0 && found[kept - 1].position == crossing.position) {
       --kept;
     } else {
@@ -98,7 +98,7 @@ void MergeModel::plan_stretch(int axis, const LatticePoint& low, std::int32_t hi
     const int after = state ^ (take_first ? 1 : 0) ^ (take_second ? 2 : 0);
     const bool was_inside = function_.inside(state);
     const bool bounds = was_inside != function_.inside(after);
-    const auto add = [&](const LineCrossing& crossing, TriangleId base, bool kept) {
+    const auto add = [&](const SolidCrossing& crossing, TriangleId base, bool kept) {
       planned.emplace_back(crossing.position, base + crossing.triangle, after,
                            kept ? CrossingRole::kBounds : CrossingRole::kInner, was_inside);
     };
@@ -117,7 +117,7 @@ void MergeModel::plan_stretch(int axis, const LatticePoint& low, std::int32_t hi
 // Makes the crossings of a solid lead from the one sign to the other.
 void MergeModel::fit(int solid, int axis, const LatticePoint& low, std::int32_t high,
                      bool inside_low, bool inside_high) {
-  std::vector<LineCrossing>& found = found_[solid];
+  std::vector<SolidCrossing>& found = found_[solid];
   if ((found.size() % 2 != 0) == (inside_low != inside_high)) return;
   ++fitted_;
   if (!found.empty()) {
@@ -140,7 +140,7 @@ void MergeModel::add_missing(int solid, int axis, const LatticePoint& low, std::
   const GridSolid& of = *solids_[solid];
   LatticePoint end = low;
   end[axis] = high;
-  std::vector<LineCrossing>& found = found_[solid];
+  std::vector<SolidCrossing>& found = found_[solid];
   LinePosition position = static_cast<LinePosition>(low[axis]) << kFractionBits;
   HitId hit = of.hit_beside(low, kRounding);
   if (hit == kNone) {
@@ -148,7 +148,7 @@ void MergeModel::add_missing(int solid, int axis, const LatticePoint& low, std::
     if (hit != kNone) position = (static_cast<LinePosition>(high) << kFractionBits) - 1;
   }
   const Index triangle = hit == kNone ? kNone : of.triangle_of(hit);
-  const auto after = std::find_if(found.begin(), found.end(), [&](const LineCrossing& crossing) {
+  const auto after = std::find_if(found.begin(), found.end(), [&](const SolidCrossing& crossing) {
     return crossing.position >= position;
   });
   if (after != found.end() && after->position == position) {

@@ -49,7 +49,7 @@ class MergeModel final : public InsideModel {
   const MergeFunction& function_;
   const Surface& surface_;
   GapRule gaps_;
-  std::array<std::vector<LineCrossing>, 2> found_;  // of the stretch at hand
+  std::array<std::vector<SolidCrossing>, 2> found_;  // of the stretch at hand
   Index fitted_ = 0;
 };
 
