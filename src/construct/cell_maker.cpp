@@ -153,7 +153,7 @@ bool CellMaker::take_over(const CellFrame& frame, const SplitNote& now, const Fo
 }
 
 SplitId CellMaker::begin_note(SplitNote note) {
-  const auto number = static_cast<SplitId>(made_.cells.size() / 2 - 1);
+  const SplitId number = made_.splits() - 1;
   if (task_.memory.notes == nullptr) return number;
   note.fine_splits = task_.rule.tally().fine_splits;
   note.unresolved_begin = static_cast<Index>(made_.unresolved.size());
@@ -164,7 +164,7 @@ SplitId CellMaker::begin_note(SplitNote note) {
 void CellMaker::end_note(SplitId number) {
   if (task_.memory.notes == nullptr) return;
   SplitNote& note = task_.memory.notes->splits[number];
-  note.end = static_cast<SplitId>(made_.cells.size() / 2);
+  note.end = made_.splits();
   note.fine_splits = task_.rule.tally().fine_splits - note.fine_splits;
   note.unresolved_end = static_cast<Index>(made_.unresolved.size());
 }

@@ -126,7 +126,7 @@ class Assembly {
   }
 
   void append_top(SplitId& split, SplitId end, Index& unresolved, Index unresolved_end) {
-    append_crossings(top_.crossings, split, end);
+    whole_.crossings.append(top_.crossings, 4 * split, 4 * end);
     split = end;
     whole_.unresolved.insert(whole_.unresolved.end(), top_.unresolved.begin() + unresolved,
                              top_.unresolved.begin() + unresolved_end);
@@ -142,21 +142,10 @@ class Assembly {
       const CellId number = c == 0 ? number_of(subtrees_[i].frame.cell) : c + 2 * first;
       whole_.cells[number] = Cell(2 * (cell.split() + first) + 1, cell.axis(), cell.value());
     }
-    append_crossings(part.crossings, 0, part.splits());
+    whole_.crossings.append(part.crossings, 0, 4 * part.splits());
     whole_.unresolved.insert(whole_.unresolved.end(), part.unresolved.begin(),
                              part.unresolved.end());
     part = {};
-  }
-
-  void append_crossings(const EdgeCrossings& crossings, SplitId first, SplitId end) {
-    const std::vector<Index>& begin = crossings.edge_begin;
-    EdgeCrossings& all = whole_.crossings;
-    const auto shift = static_cast<Index>(all.all.size()) - begin[4 * first];
-    all.all.insert(all.all.end(), crossings.all.begin() + begin[4 * first],
-                   crossings.all.begin() + begin[4 * end]);
-    for (EdgeId edge = 4 * first; edge < 4 * end; ++edge) {
-      all.edge_begin.push_back(begin[edge + 1] + shift);
-    }
   }
 
   const MadeCells& top_;

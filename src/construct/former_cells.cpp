@@ -49,15 +49,7 @@ void copy_splits(const FormerCells& former, CellId former_cell, CellId cell, Mad
   made.cells[cell] = copy_of(former.cells[former_cell]);
   for (CellId old = 2 * first + 1; old <= 2 * end; ++old)
     made.cells.push_back(copy_of(former.cells[old]));
-  const std::vector<Index>& begin = former.crossings.edge_begin;
-  EdgeCrossings& crossings = made.crossings;
-  const Index first_crossing = begin[4 * first];
-  const auto shift = static_cast<Index>(crossings.all.size()) - first_crossing;
-  crossings.all.insert(crossings.all.end(), former.crossings.all.begin() + first_crossing,
-                       former.crossings.all.begin() + begin[4 * end]);
-  for (EdgeId edge = 4 * first; edge < 4 * end; ++edge) {
-    crossings.edge_begin.push_back(begin[edge + 1] + shift);
-  }
+  made.crossings.append(former.crossings, 4 * first, 4 * end);
   notes.taken_over += end - first;
   const SplitNote& whole = former.splits[first];
   const auto unresolved = static_cast<Index>(made.unresolved.size()) - whole.unresolved_begin;

@@ -96,6 +96,17 @@ struct EdgeCrossings {
   std::span<const ClassifiedCrossing> of(EdgeId edge) const {
     return {all.data() + edge_begin[edge], edge_begin[edge + 1] - edge_begin[edge]};
   }
+
+  /// Appends edges with those of the other crossings that lie on its edges from `first` up to, but
+  /// not including, `end`.
+  void append(const EdgeCrossings& other, EdgeId first, EdgeId end) {
+    const Index begin = other.edge_begin[first];
+    const auto shift = static_cast<Index>(all.size()) - begin;
+    all.insert(all.end(), other.all.begin() + begin, other.all.begin() + other.edge_begin[end]);
+    for (EdgeId edge = first; edge < end; ++edge) {
+      edge_begin.push_back(other.edge_begin[edge + 1] + shift);
+    }
+  }
 };
 
 }  // namespace kdm
