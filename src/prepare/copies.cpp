@@ -25,12 +25,14 @@ std::vector<TriangleId> find_possible_copies(std::size_t triangles, const Topolo
   return found;
 }
 
-// Finds further copies, and how often each triangle is there; 0: once, or both ways.
-Marks count_copies(std::span<const Triangle> triangles, Index points, const Topology& topology,
-                   std::vector<Index>& times) {
+}  // namespace
+
+Marks find_copies(std::span<const Triangle> triangles, Index points, const Topology& topology,
+                  bool two_cancel) {
   Marks further(triangles.size());
-  times.assign(triangles.size(), 0);
   if (topology.non_manifold_edges == 0) return further;
+  // How often each triangle is there; 0: once, or both ways.
+  std::vector<Index> times(triangles.size(), 0);
   const std::vector<TriangleId> candidates = find_possible_copies(triangles.size(), topology);
   std::vector<Triangle> corners;
   for (const TriangleId t : candidates) corners.push_back(triangles[t]);
@@ -51,34 +53,13 @@ Marks count_copies(std::span<const Triangle> triangles, Index points, const Topo
     if (times[t] < 2 || times[t] != times[part]) is_mixed.set(part);
   }
   for (TriangleId t = 0; t < triangles.size(); ++t) {
-    if (is_mixed.test(parts.find(t))) further.clear(t);
+    if (is_mixed.test(parts.find(t))) {
+      further.clear(t);
+    } else if (two_cancel && times[t] % 2 == 0) {
+      further.set(t);
+    }
   }
   return further;
-}
-
-}  // namespace
-
-Marks find_copies(std::span<const Triangle> triangles, Index points, const Topology& topology) {
-  std::vector<Index> times;
-  return count_copies(triangles, points, topology, times);
-}
-
-Marks find_copies_that_cancel(std::span<const Triangle> triangles, Index points,
-                              const Topology& topology) {
-  std::vector<Index> times;
-  const Marks further = count_copies(triangles, points, topology, times);
-  Marks cancelled = further;
-  if (!further.any()) return cancelled;
-  // Of a part whose triangles have further copies, the first ones go too.
-  DisjointSets parts = join_at_edges(triangles, points, topology);
-  Marks is_copied(triangles.size());  // per part, by the triangle that stands for it
-  for (TriangleId t = 0; t < triangles.size(); ++t) {
-    if (further.test(t) && times[t] % 2 == 0) is_copied.set(parts.find(t));
-  }
-  for (TriangleId t = 0; t < triangles.size(); ++t) {
-    if (is_copied.test(parts.find(t))) cancelled.set(t);
-  }
-  return cancelled;
 }
 
 }  // namespace kdm

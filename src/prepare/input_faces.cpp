@@ -102,20 +102,10 @@ void cancel_opposite_faces(InputFaces& faces) {
   find_topology(faces);
 }
 
-// Keeps one of each part that is there several times.
-void drop_copies(InputFaces& faces) {
-  const Marks copies =
-      find_copies(faces.triangles, static_cast<Index>(faces.points.size()), faces.topology);
-  if (!copies.any()) return;
-  faces.report.duplicate_faces += drop_faces(faces, copies);
-  find_topology(faces);
-}
-
-// The same where only odd winding numbers are inside: of a part that is there an even number of
-// times nothing stays.
-void cancel_copies(InputFaces& faces) {
-  const Marks copies = find_copies_that_cancel(
-      faces.triangles, static_cast<Index>(faces.points.size()), faces.topology);
+// Keeps one of each part that is there several times; if two cancel, only where the number is odd.
+void drop_copies(InputFaces& faces, bool two_cancel) {
+  const Marks copies = find_copies(faces.triangles, static_cast<Index>(faces.points.size()),
+                                   faces.topology, two_cancel);
   if (!copies.any()) return;
   faces.report.duplicate_faces += drop_faces(faces, copies);
   if (faces.triangles.empty()) {
@@ -170,7 +160,7 @@ void make_closed(InputFaces& faces, const BuildOptions& options) {
     tidy_closed_parts(faces);
   } else {
     cancel_opposite_faces(faces);
-    if (options.inside == InsideRule::kOdd) cancel_copies(faces);
+    if (options.inside == InsideRule::kOdd) drop_copies(faces, true);
   }
 }
 
@@ -178,7 +168,7 @@ void make_closed(InputFaces& faces, const BuildOptions& options) {
 
 void tidy_closed_parts(InputFaces& faces) {
   cancel_opposite_faces(faces);
-  drop_copies(faces);
+  drop_copies(faces, false);
   turn_inverted_parts(faces);
 }
 
