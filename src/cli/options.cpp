@@ -51,22 +51,10 @@ std::string read_list(const OptionField& field, const std::string& text,
 
 // Reads the lowest and the highest corner of a box. Returns what is wrong, or "".
 std::string read_box(const std::string& text, std::optional<BoxCorners>& target) {
-  std::vector<double> numbers;
-  for (std::size_t at = 0; at <= text.size();) {
-    const std::size_t end = std::min(text.find(',', at), text.size());
-    numbers.push_back(to_number(text.substr(at, end - at)));
-    at = end + 1;
-  }
+  const std::vector<double> numbers = to_numbers(text);
   BoxCorners box{};
-  bool ascends = numbers.size() == box.size();
-  bool has_extent = false;
-  for (std::size_t i = 0; ascends && i < 3; ++i) {
-    box[i] = numbers[i];
-    box[i + 3] = numbers[i + 3];
-    ascends = box[i] <= box[i + 3];  // NaN is not
-    has_extent = has_extent || box[i] < box[i + 3];
-  }
-  if (!ascends || !has_extent) {
+  if (numbers.size() == box.size()) std::copy(numbers.begin(), numbers.end(), box.begin());
+  if (!is_box(box)) {
     return fmt::format(
         "'{}' is no box: 6 numbers with commas between them, the lowest corner before the highest",
         text);
@@ -321,6 +309,16 @@ std::string with_typed_names(const Command& command, const std::string& text) {
     done = end + 1;
   }
   return result + text.substr(done);
+}
+
+std::vector<double> to_numbers(const std::string& text) {
+  std::vector<double> numbers;
+  std::size_t begin = 0;
+  for (std::size_t end = 0; end != std::string::npos; begin = end + 1) {
+    end = text.find(',', begin);
+    numbers.push_back(to_number(text.substr(begin, end - begin)));
+  }
+  return numbers;
 }
 
 double to_number(const std::string& text) {

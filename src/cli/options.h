@@ -3,6 +3,8 @@
 #pragma once
 
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "cli/command.h"
 
@@ -21,5 +23,8 @@ Command parse_command(const std::vector<std::string>& arguments);
 
 /// Reads the whole text as a finite number; NaN if it is none.
 double to_number(const std::string& text);
+
+/// Reads the numbers between commas, each as above.
+std::vector<double> to_numbers(const std::string& text);
 
 }  // namespace kdm::cli

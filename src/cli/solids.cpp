@@ -18,12 +18,7 @@ namespace {
 
 // Reads twelve numbers, row by row, or sixteen, the last row being that of an affine map.
 Transform transform_of(const RepeatedArgument& argument) {
-  std::vector<double> numbers;
-  std::size_t begin = 0;
-  for (std::size_t end = 0; end != std::string::npos; begin = end + 1) {
-    end = argument.value.find(',', begin);
-    numbers.push_back(to_number(argument.value.substr(begin, end - begin)));
-  }
+  const std::vector<double> numbers = to_numbers(argument.value);
   bool legal = numbers.size() == 12 || numbers.size() == 16;
   for (const double number : numbers) legal = legal && std::isfinite(number);
   for (std::size_t i = 12; i < numbers.size(); ++i) legal = legal && numbers[i] == (i == 15);

@@ -44,16 +44,7 @@ void check_list(const char* name, Range range, const std::vector<Index>& numbers
 }
 
 void check_box(const char* name, const std::optional<BoxCorners>& box) {
-  if (!box) return;
-  bool ascends = true;
-  bool has_extent = false;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double low = (*box)[i];
-    const double high = (*box)[i + 3];
-    ascends = ascends && std::isfinite(low) && std::isfinite(high) && low <= high;
-    has_extent = has_extent || low < high;
-  }
-  if (ascends && has_extent) return;
+  if (!box || is_box(*box)) return;
   throw Error(ErrorCode::kInvalidOption,
               compose("{}: it must be a box of finite numbers, with the lowest corner before the "
                       "highest",
@@ -93,6 +84,18 @@ void demand(std::initializer_list<Effect> effects, const IsGiven& given) {
 }
 
 }  // namespace
+
+bool is_box(const BoxCorners& corners) {
+  bool ascends = true;
+  bool has_extent = false;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double low = corners[i];
+    const double high = corners[i + 3];
+    ascends = ascends && std::isfinite(low) && std::isfinite(high) && low <= high;
+    has_extent = has_extent || low < high;
+  }
+  return ascends && has_extent;
+}
 
 void check_combination(const BuildOptions& options, const IsGiven& given) {
   const bool counts =

@@ -55,6 +55,10 @@ enum class Pairing {
 /// The lowest and the highest corner of a box: x, y, z and again x, y, z.
 using BoxCorners = std::array<double, 6>;
 
+/// Tells whether the numbers are finite and the corners those of a box, which may be flat but no
+/// point.
+bool is_box(const BoxCorners& corners);
+
 /// What `build_grid` can be told. Each default serves; `options.h` describes the same members for
 /// programs.
 struct BuildOptions {
