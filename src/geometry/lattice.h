@@ -36,6 +36,8 @@ inline Vec3 to_vec3(const LatticePoint& p) { return Vec3(p[0], p[1], p[2]); }
 struct LatticeBox {
   LatticePoint lo{0, 0, 0};
   LatticePoint hi{kLatticeSize, kLatticeSize, kLatticeSize};
+
+  bool operator==(const LatticeBox&) const = default;
 };
 
 /// Returns the length of the box along an axis, in lattice units.

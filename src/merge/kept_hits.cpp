@@ -114,8 +114,7 @@ class LinkKeeper {
         const CellId leaf = merged_.start_leaf(now);
         const CellId was = solids_[solid]->grid().start_leaf(corner.half_edge);
         const CellId other = cell_around(solids_[1 - solid]->grid(), boxes_[leaf]);
-        const LatticeBox& box = solids_[solid]->boxes()[was];
-        if (box.lo != boxes_[leaf].lo || box.hi != boxes_[leaf].hi) continue;
+        if (solids_[solid]->boxes()[was] != boxes_[leaf]) continue;
         if (solids_[1 - solid]->has_surface(other)) continue;
         merged_.corners.push_back({lowest_of_loop(now), corner.point, corner.joined});
       }

@@ -2,11 +2,6 @@
 #include "merge/merge_rule.h"
 
 namespace kdm {
-namespace {
-
-bool same_box(const LatticeBox& a, const LatticeBox& b) { return a.lo == b.lo && a.hi == b.hi; }
-
-}  // namespace
 
 std::optional<Split> MergeRule::choose(const CellView& cell) {
   std::array<CellId, 2> node;
@@ -35,7 +30,7 @@ std::optional<Split> MergeRule::choose(const CellView& cell) {
   if (splits[1]) return splits[1];
   const bool both = with_surface == 3;
   if (both ? same_in_both(node)
-           : same_box(cell.box, solids_[with_surface - 1]->boxes()[node[with_surface - 1]])) {
+           : cell.box == solids_[with_surface - 1]->boxes()[node[with_surface - 1]]) {
     return std::nullopt;
   }
   const double diagonal = (to_vec3(cell.box.hi) - to_vec3(cell.box.lo)).norm();
@@ -53,7 +48,7 @@ std::optional<Split> MergeRule::split_of(int solid, CellId node) const {
 
 // Tells whether two leaves are one and the same, with the same surface.
 bool MergeRule::same_in_both(const std::array<CellId, 2>& leaves) const {
-  if (!same_box(solids_[0]->boxes()[leaves[0]], solids_[1]->boxes()[leaves[1]])) return false;
+  if (solids_[0]->boxes()[leaves[0]] != solids_[1]->boxes()[leaves[1]]) return false;
   const std::span<const Index> a = solids_[0]->triangles_in(leaves[0]);
   const std::span<const Index> b = solids_[1]->triangles_in(leaves[1]);
   if (a.size() != b.size()) return false;
