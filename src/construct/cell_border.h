@@ -44,19 +44,22 @@ void cut_edges(const Split& split, const std::vector<ClassifiedCrossing>& crossi
   }
 }
 
-/// Hands splitting edge `i` of a split along `axis` to both halves.
-inline void hand_down_edge(int axis, int i, EdgeRange range, CellBorder& below, CellBorder& above) {
+/// Hands splitting edge `i` of a split along `axis`, of whose crossings or hits there is a range,
+/// to the edges of both halves.
+template <typename Range>
+void hand_down_edge(int axis, int i, const Range& range, std::array<Range, 12>& below,
+                    std::array<Range, 12>& above) {
   const int u = next_axis(axis);
   const int v = previous_axis(axis);
   // Edges 0 and 2 run along u, at the low and high end of v; 1 and 3 along v, at the high and low
   // end of u. For axis u the next axis is v and the previous one is `axis`.
   const bool high = i == 1 || i == 2;
   if (axis_of_edge(axis, i) == u) {
-    below.edges[cell_edge(u, high, true)] = range;
-    above.edges[cell_edge(u, high, false)] = range;
+    below[cell_edge(u, high, true)] = range;
+    above[cell_edge(u, high, false)] = range;
   } else {
-    below.edges[cell_edge(v, true, high)] = range;
-    above.edges[cell_edge(v, false, high)] = range;
+    below[cell_edge(v, true, high)] = range;
+    above[cell_edge(v, false, high)] = range;
   }
 }
 

@@ -211,7 +211,7 @@ void CellMaker::add_splitting_edges(const LatticeBox& box, const Split& split, H
       task_.rule.on_crossing(made_.crossings.all[c].triangle());
     }
     made_.crossings.edge_begin.push_back(range.end);
-    hand_down_edge(split.axis, i, range, halves.below, halves.above);
+    hand_down_edge(split.axis, i, range, halves.below.edges, halves.above.edges);
   }
 }
 

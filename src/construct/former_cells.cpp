@@ -13,7 +13,7 @@ std::array<FormerCell, 2> halves_of(const FormerCell& cell, const FormerCells& f
   for (int i = 0; i < 4; ++i) {
     const EdgeId edge = 4 * whole.split() + static_cast<EdgeId>(i);
     const std::vector<Index>& begin = former.crossings.edge_begin;
-    hand_down_edge(split.axis, i, {begin[edge], begin[edge + 1]}, below, above);
+    hand_down_edge(split.axis, i, {begin[edge], begin[edge + 1]}, below.edges, above.edges);
   }
   below.cell = whole.below();
   above.cell = whole.above();

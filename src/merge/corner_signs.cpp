@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "construct/cell_border.h"
 #include "grid/faces.h"
 #include "split/split_rules.h"
 
@@ -36,19 +37,6 @@ void cut_edges_at(const GridData& grid, const Cell& split, SignedCell& below, Si
   }
 }
 
-void hand_down_edges(const GridData& grid, const Cell& split, SignedCell& below,
-                     SignedCell& above) {
-  const int u = next_axis(split.axis());
-  const int v = previous_axis(split.axis());
-  for (int i = 0; i < 4; ++i) {
-    const bool high = i == 1 || i == 2;
-    const bool along_u = axis_of_edge(split.axis(), i) == u;
-    const int at_below = along_u ? cell_edge(u, high, true) : cell_edge(v, true, high);
-    const int at_above = along_u ? cell_edge(u, high, false) : cell_edge(v, false, high);
-    below.edges[at_below] = above.edges[at_above] = grid.edge_hits(split.split(), i);
-  }
-}
-
 }  // namespace
 
 std::vector<std::uint8_t> corner_signs(const GridData& grid) {
@@ -65,7 +53,9 @@ std::vector<std::uint8_t> corner_signs(const GridData& grid) {
     below.cell = split.below();
     above.cell = split.above();
     cut_edges_at(grid, split, below, above);
-    hand_down_edges(grid, split, below, above);
+    for (int i = 0; i < 4; ++i) {
+      hand_down_edge(split.axis(), i, grid.edge_hits(split.split(), i), below.edges, above.edges);
+    }
     open.push_back(above);
     open.push_back(below);
   }
