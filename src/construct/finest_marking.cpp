@@ -6,14 +6,7 @@
 namespace kdm {
 
 void FinestMarking::add(TriangleId triangle) {
-  const LatticeTriangle& t = triangles_[triangle];
-  ListEntry entry;
-  entry.triangle = triangle;
-  for (int k = 0; k < 3; ++k) {
-    entry.lo[k] = std::min({t[0][k], t[1][k], t[2][k]});
-    entry.hi[k] = std::max({t[0][k], t[1][k], t[2][k]});
-  }
-  divide(entry, {0, 0, 0});
+  divide(whole_entry(triangle, triangles_[triangle]), {0, 0, 0});
 }
 
 // Of the planes that split the cell round the entry, finds the first one that the entry straddles,

@@ -64,16 +64,22 @@ bool may_meet(const LatticeTriangle& t, const ListEntry& part) {
 
 }  // namespace
 
+ListEntry whole_entry(TriangleId triangle, const LatticeTriangle& t) {
+  ListEntry entry;
+  entry.triangle = triangle;
+  for (int k = 0; k < 3; ++k) {
+    entry.lo[k] = std::min({t[0][k], t[1][k], t[2][k]});
+    entry.hi[k] = std::max({t[0][k], t[1][k], t[2][k]});
+  }
+  return entry;
+}
+
 TriangleLists::TriangleLists(const std::vector<LatticeTriangle>& triangles)
     : triangles_(triangles) {
   make_room(3 * triangles.size());
   for (const LatticeTriangle& t : triangles) {
-    ListEntry& entry = arena_[root_size_];
-    entry.triangle = root_size_++;
-    for (int k = 0; k < 3; ++k) {
-      entry.lo[k] = std::min({t[0][k], t[1][k], t[2][k]});
-      entry.hi[k] = std::max({t[0][k], t[1][k], t[2][k]});
-    }
+    arena_[root_size_] = whole_entry(root_size_, t);
+    ++root_size_;
   }
   size_ = root_size_;
 }

@@ -23,12 +23,16 @@ struct ListEntry {
   LatticePoint hi;  ///< the greatest corner
 };
 
+/// Returns the entry of a whole triangle.
+ListEntry whole_entry(TriangleId triangle, const LatticeTriangle& t);
+
 /// The parts of an entry below and above a plane.
 struct DividedEntry {
   std::array<ListEntry, 2> part;
-  std::array<bool, 2>
-      meets;  ///< whether there may be such a part; one that is not there is not set
+  /// Whether there may be such a part; one that is not there is not set.
+  std::array<bool, 2> meets;
 };
+
 /// Divides the entry of a triangle that reaches both sides of lattice plane `value` across `axis`.
 DividedEntry divide_entry(const LatticeTriangle& t, const ListEntry& entry, int axis,
                           std::int32_t value);
