@@ -56,10 +56,7 @@ WindingOracle::WindingOracle(const WindingOracle& other, std::shared_ptr<const P
       resolver_(*field_, other.resolver_.precision()),
       work_before_(field_->work()) {}
 
-std::unique_ptr<InsideModel> WindingOracle::fork() const {
-  std::unique_ptr<WindingOracle> oracle = fork_oracle();
-  return oracle;
-}
+std::unique_ptr<InsideModel> WindingOracle::fork() const { return fork_oracle(); }
 
 std::unique_ptr<WindingOracle> WindingOracle::fork_oracle() const {
   if constexpr (!kHasThreads) return nullptr;

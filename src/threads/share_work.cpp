@@ -8,9 +8,8 @@
 #include "kdmanifold/threads.h"
 #include "text/compose.h"
 
-#if !defined(__EMSCRIPTEN__) || defined(__EMSCRIPTEN_PTHREADS__)
+#ifdef KDM_HAS_THREADS
 #include "threads/thread_pool.h"
-#define KDM_HAS_THREADS 1
 #endif
 
 namespace kdm {

@@ -7,15 +7,9 @@
 #include <cstddef>
 #include <functional>
 
-namespace kdm {
+#include "threads/has_threads.h"
 
-/// Whether there can be several threads at all: not in WebAssembly that is built without. What only
-/// several need is left out there, since pages would have to fetch it.
-#if defined(__EMSCRIPTEN__) && !defined(__EMSCRIPTEN_PTHREADS__)
-inline constexpr bool kHasThreads = false;
-#else
-inline constexpr bool kHasThreads = true;
-#endif
+namespace kdm {
 
 /// Returns how many threads are to share work if it is shared here: 1 within a task.
 int workers();

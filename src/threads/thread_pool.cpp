@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-// WebAssembly without threads leaves this file out (see kHasThreads).
-#if !defined(__EMSCRIPTEN__) || defined(__EMSCRIPTEN_PTHREADS__)
+// WebAssembly without threads leaves this file out.
+#include "threads/has_threads.h"
+
+#ifdef KDM_HAS_THREADS
 #include "threads/thread_pool.h"
 
 #include <algorithm>

@@ -70,6 +70,20 @@ std::vector<Case> cases() {
   return all;
 }
 
+// Expects that a mesh is the same, made by one thread and by several.
+void expect_same_meshes(const std::function<Mesh()>& make) {
+  const auto make_by = [&](int threads) {
+    const ThreadCount set(threads);
+    return make();
+  };
+  const Mesh alone = make_by(1);
+  for (const int threads : {2, 5, 40}) {
+    const Mesh shared = make_by(threads);
+    EXPECT_EQ(alone.positions, shared.positions);
+    EXPECT_EQ(alone.triangles, shared.triangles);
+  }
+}
+
 TEST(SameOnAnyThreads, Grids) {
   for (const Case& one : cases()) {
     SCOPED_TRACE(one.name);
@@ -95,17 +109,7 @@ TEST(SameOnAnyThreads, ReducedMeshes) {
       continue;
     }
     SCOPED_TRACE(one.name);
-    const MakeOptions options{one.options, {}, {}};
-    const auto make = [&](int threads) {
-      const ThreadCount set(threads);
-      return static_cast<Mesh>(make_manifold(one.mesh, options));
-    };
-    const Mesh alone = make(1);
-    for (const int threads : {2, 5, 40}) {
-      const Mesh shared = make(threads);
-      EXPECT_EQ(alone.positions, shared.positions);
-      EXPECT_EQ(alone.triangles, shared.triangles);
-    }
+    expect_same_meshes([&] { return make_manifold(one.mesh, {one.options, {}, {}}); });
   }
 }
 
@@ -116,16 +120,7 @@ TEST(SameOnAnyThreads, BooleanResults) {
   const Mesh right = shapes::translated(left, Vec3(1.2, 0, 0));
   const std::vector<Operand> operands{left, middle, right, box};
   const Expression expression = difference(union_of({0, 1, 2}), 3);
-  const auto make = [&](int threads) {
-    const ThreadCount set(threads);
-    return static_cast<Mesh>(boolean(expression, operands, {}));
-  };
-  const Mesh alone = make(1);
-  for (const int threads : {2, 5, 40}) {
-    const Mesh shared = make(threads);
-    EXPECT_EQ(alone.positions, shared.positions);
-    EXPECT_EQ(alone.triangles, shared.triangles);
-  }
+  expect_same_meshes([&] { return boolean(expression, operands, {}); });
 }
 
 // Whenever the caller stops the work, it ends, and the next call works.
