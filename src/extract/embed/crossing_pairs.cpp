@@ -12,6 +12,9 @@ namespace kdm {
 CrossingPairs::CrossingPairs(const GridView& view, const DualMesh& loops, const EditLog& log)
     : loops_(loops),
       suspects_(view, loops, log),
+      remade_(loops.triangles()),
+      was_enclosed_(loops.triangles()),
+      is_changed_(loops.triangles()),
       leaf_tree_(view),
       leaf_triangles_(static_cast<Index>(view.grid.cells.size())),
       pair_test_(view) {}
@@ -24,15 +27,16 @@ void CrossingPairs::find(const DualMesh& mesh) {
 
 void CrossingPairs::update(const DualMesh& mesh, const std::vector<HitId>& hits) {
   const std::vector<HitId>& updated = suspects_.update(mesh, hits);
-  forget_changed(mesh);
+  find_changed(mesh, updated);
+  renumber(mesh);
   pair_test_.update(mesh);
   for (const HitId hit : updated) {
     suspects_.for_each_triangle(hit, [&](TriangleId t) { pair_test_.read_corners(mesh, t); });
   }
-  // Pairs of an enclosed triangle and a suspect are found from the suspect, if it is among those
-  // that are updated, and otherwise from the enclosed triangle.
+  // Pairs of an enclosed triangle and a suspect are found from the suspect, if it has changed, and
+  // otherwise from the enclosed triangle.
   const bool had_suspects = leaf_triangles_.any_noted();
-  for (const HitId hit : updated) {
+  for (const HitId hit : changed_) {
     const bool enclosed = suspects_.is_enclosed(hit);
     if (enclosed && !had_suspects) continue;
     suspects_.for_each_triangle(hit, [&](TriangleId t) {
@@ -53,14 +57,37 @@ std::vector<TriangleId> CrossingPairs::triangles() const {
   return triangles;
 }
 
-// Forgets all about triangles of hits that are updated, and of triangles that are no more.
-void CrossingPairs::forget_changed(const DualMesh& mesh) {
-  const auto gone = [&](TriangleId t) {
-    return mesh.dropped(t) || suspects_.was_updated(mesh.hit[t]);
+// Finds the hits whose pairs may be others than before. What two triangles have in common depends
+// on nothing but their corners, and whether a pair is tested on whether the hits are enclosed.
+void CrossingPairs::find_changed(const DualMesh& mesh, const std::vector<HitId>& updated) {
+  remade_.compare(mesh, suspects_.triangles(), updated);
+  for (const HitId hit : changed_) is_changed_.clear(hit);
+  changed_.clear();
+  for (const HitId hit : updated) {
+    const bool enclosed = suspects_.is_enclosed(hit);
+    if (remade_.as_before(hit) && was_enclosed_.test(hit) == enclosed) continue;
+    was_enclosed_.set(hit, enclosed);
+    is_changed_.set(hit);
+    changed_.push_back(hit);
+  }
+}
+
+// Forgets all about triangles of hits that have changed, and gives the others the numbers that they
+// have now.
+void CrossingPairs::renumber(const DualMesh& mesh) {
+  const auto now = [&](TriangleId before) {
+    const TriangleId t = remade_.now(before);
+    return t == kNone || is_changed_.test(mesh.hit[t]) ? kNone : t;
   };
-  std::erase_if(pairs_, [&](const auto& pair) { return gone(pair.first) || gone(pair.second); });
-  std::erase_if(flat_triangles_, gone);
-  leaf_triangles_.update(mesh.triangles(), gone);
+  for (auto& [t, other] : pairs_) {
+    t = now(t);
+    other = now(other);
+  }
+  std::erase_if(pairs_,
+                [](const auto& pair) { return pair.first == kNone || pair.second == kNone; });
+  for (TriangleId& t : flat_triangles_) t = now(t);
+  std::erase(flat_triangles_, kNone);
+  leaf_triangles_.renumber(mesh.triangles(), now);
   last_tested_with_.assign(mesh.triangles(), kNone);
 }
 
@@ -98,7 +125,7 @@ void CrossingPairs::test_against_suspects(const DualMesh& mesh, TriangleId enclo
   const CachedTriangle cached = pair_test_.cached(mesh, enclosed);
   const auto test_in = [&](CellId leaf) {
     leaf_triangles_.for_each_suspect(leaf, [&](TriangleId t) {
-      if (suspects_.was_updated(mesh.hit[t]) || last_tested_with_[t] == enclosed) return;
+      if (is_changed_.test(mesh.hit[t]) || last_tested_with_[t] == enclosed) return;
       last_tested_with_[t] = enclosed;
       if (pair_test_.meet(mesh, cached, t)) pairs_.emplace_back(t, enclosed);
     });

@@ -10,6 +10,7 @@
 #include "extract/embed/leaf_tree.h"
 #include "extract/embed/leaf_triangles.h"
 #include "extract/embed/pair_test.h"
+#include "extract/embed/remade_triangles.h"
 #include "extract/embed/suspects.h"
 
 namespace kdm {
@@ -27,8 +28,9 @@ class CrossingPairs {
   /// To be called once, before `update`.
   void find(const DualMesh& mesh);
   /// Brings the record up to date after the triangles of these hits, and no others, have changed:
-  /// the result is the same as that of `find`. Takes time for the hits and their surroundings, and
-  /// for one quick pass over all triangles.
+  /// the result is the same as that of `find`. Tests pairs only of hits whose triangles have other
+  /// corners than before, or that are enclosed where they were not. Takes time for these and their
+  /// surroundings, and for quick passes over all triangles.
   void update(const DualMesh& mesh, const std::vector<HitId>& hits);
 
   /// Lists the triangles of all pairs and those without area; ascending.
@@ -39,12 +41,17 @@ class CrossingPairs {
   std::size_t flat() const { return flat_triangles_.size(); }
 
  private:
-  void forget_changed(const DualMesh& mesh);
+  void find_changed(const DualMesh& mesh, const std::vector<HitId>& updated);
+  void renumber(const DualMesh& mesh);
   void test_around(const DualMesh& mesh, TriangleId suspect);
   void test_against_suspects(const DualMesh& mesh, TriangleId enclosed);
 
   const DualMesh& loops_;
   Suspects suspects_;
+  RemadeTriangles remade_;
+  Marks was_enclosed_;          // per hit: as of the last update
+  Marks is_changed_;            // per hit: it is one of `changed_`
+  std::vector<HitId> changed_;  // in the last update, ascending
   LeafTree leaf_tree_;
   LeafTriangles leaf_triangles_;
   PairTest pair_test_;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "extract/embed/suspects.h"
@@ -16,10 +17,10 @@ class LeafTriangles {
   /// Makes empty lists for this number of cells.
   explicit LeafTriangles(Index cells) : enclosed_begin_(cells, kNone), first_note_(cells, kNone) {}
 
-  /// Makes ready for a mesh of `triangles` triangles that has changed: forgets the suspects for
-  /// which `gone(t)`, and all lists of enclosed triangles. The lists of other suspects stay.
-  template <typename Gone>
-  void update(Index triangles, const Gone& gone);
+  /// Makes ready for a mesh that has `triangles` triangles now: gives the suspects the numbers
+  /// `now(t)` and forgets those for which that is kNone, and all lists of enclosed triangles.
+  template <typename Now>
+  void renumber(Index triangles, const Now& now);
 
   /// Notes that the triangle may lie in the leaf. Counts once it is marked as a suspect.
   void note(CellId leaf, TriangleId t) {
@@ -49,18 +50,21 @@ class LeafTriangles {
   // The lists of enclosed triangles, one behind another: their number, then the triangles.
   std::vector<Index> enclosed_lists_;
   std::vector<Index> enclosed_begin_;  // per cell: where its list is; kNone: not made yet
-  // Linked lists of notes. A note is void if its triangle is no suspect (any more); it is taken out
-  // when it is met.
+  // Linked lists of notes. A note is void if its triangle is kNone or no suspect (any more); it is
+  // taken out when it is met.
   std::vector<Note> notes_;
   std::vector<Index> first_note_;  // per cell
 };
 
-template <typename Gone>
-void LeafTriangles::update(Index triangles, const Gone& gone) {
-  for (TriangleId t = 0; t < is_suspect_.size(); ++t) {
-    if (is_suspect_.test(t) && gone(t)) is_suspect_.clear(t);
+template <typename Now>
+void LeafTriangles::renumber(Index triangles, const Now& now) {
+  Marks is_suspect(triangles);
+  for (Note& note : notes_) {
+    if (note.triangle == kNone) continue;
+    note.triangle = is_suspect_.test(note.triangle) ? now(note.triangle) : kNone;
+    if (note.triangle != kNone) is_suspect.set(note.triangle);
   }
-  is_suspect_.resize(triangles);
+  is_suspect_ = std::move(is_suspect);
   enclosed_lists_.clear();
   enclosed_begin_.assign(enclosed_begin_.size(), kNone);
 }
@@ -69,7 +73,7 @@ template <typename Visit>
 void LeafTriangles::for_each_suspect(CellId leaf, const Visit& visit) {
   for (Index* at = &first_note_[leaf]; *at != kNone;) {
     Note& note = notes_[*at];
-    if (!is_suspect_.test(note.triangle)) {
+    if (note.triangle == kNone || !is_suspect_.test(note.triangle)) {
       *at = note.next;
       continue;
     }

@@ -29,9 +29,8 @@ class Suspects {
 
   /// Tells whether the triangles of the hit lie in its envelope; if not, they are suspects.
   bool is_enclosed(HitId hit) const { return enclosed_.test(hit); }
-  /// Tells whether the last `update` returned the hit.
-  bool was_updated(HitId hit) const { return updated_.test(hit); }
-
+  /// Lists the triangles of each hit, as of the last update.
+  const HitTriangles& triangles() const { return triangles_; }
   /// Calls `visit(t)` for each triangle of the hit, as of the last update.
   template <typename Visit>
   void for_each_triangle(HitId hit, const Visit& visit) const {
