@@ -11,6 +11,9 @@ namespace {
 
 // Planes whose normals turn by more than 45 degrees make a sharp edge.
 constexpr double kSharpCosine = 0.7071067811865476;
+// A hit so near to a plane lies on it: corners of the input are rounded to the lattice. In lattice
+// units.
+constexpr double kOnPlane = 4;
 
 bool contains(const LinkFace& face, const Vec3& p) {
   return (p.array() >= face.lo.array()).all() && (p.array() <= face.hi.array()).all();
@@ -61,7 +64,7 @@ Vec3 behind_planes(const GridView& view, HitPair link, std::span<const Index> hi
     const Plane& plane = view.grid.plane_of(hit);
     const auto beyond = [&](const Vec3& x) { return outwards * plane.signed_distance(x); };
     const double off = beyond(crease);
-    if (off <= furthest || beyond(p) >= 0 || beyond(q) >= 0) continue;
+    if (off <= furthest || beyond(p) >= -kOnPlane || beyond(q) >= -kOnPlane) continue;
     furthest = off;
     point = crease + off / (off - beyond(middle)) * (middle - crease);
   }

@@ -2,12 +2,18 @@
 // Parts of one mesh that touch, coincide or overlap: nothing is lost, nothing comes out twice.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
+#include <vector>
 
+#include "kdmanifold/account.h"
 #include "kdmanifold/build.h"
 #include "kdmanifold/extract.h"
 #include "support/mesh_check.h"
+#include "support/random.h"
 #include "support/shapes.h"
 
 namespace kdm {
@@ -77,6 +83,40 @@ TEST(Contacts, ABoxThatIsThereTwiceCountsOnce) {
   EXPECT_EQ(build_grid(twice, {}).input().duplicate_faces, 12u);
   // A copy of one side is no copy of a part: the mesh is not closed then, or another solid.
   EXPECT_EQ(build_grid(shapes::face_to_face_cubes(), {}).input().duplicate_faces, 0u);
+}
+
+// Two of the five cubes touch along an edge that lies in the side of a cell. An edge of the mesh
+// there joins two vertices twice, and the vertex that parts the two edges lies on the contact, not
+// amid hits whose line lies in the next face.
+TEST(Contacts, WhatPartsDoubledEdgesLiesOnTheContact) {
+  const std::vector<std::array<int, 3>> cubes = {
+      {1, 2, 0}, {1, 0, 1}, {0, 1, 1}, {1, 2, 1}, {1, 0, 2}};
+  Mesh mesh = shapes::voxels(2, 3, 3, [&](int x, int y, int z) {
+    return std::find(cubes.begin(), cubes.end(), std::array{x, y, z}) != cubes.end();
+  });
+  for (Vec3& p : mesh.positions) {
+    p = 0.4525339526007883 * p - Vec3(1.5649189983885115, 2.9955383847537997, 3.5285828311761369);
+  }
+  check::Random random(1);
+  for (int order = 0; order < 16; ++order) {
+    // Other diagonals, and another order of the squares.
+    for (Index i = 0; i < mesh.triangles.size(); i += 2) {
+      const Index other = 2 * random.below(i / 2 + 1);
+      std::swap(mesh.triangles[i], mesh.triangles[other]);
+      std::swap(mesh.triangles[i + 1], mesh.triangles[other + 1]);
+    }
+    for (Index i = 0; i < mesh.triangles.size(); i += 2) {
+      const auto [p, q, r] = mesh.triangles[i];
+      if (random.coin()) continue;
+      const Index s = mesh.triangles[i + 1][2];
+      mesh.triangles[i] = {q, r, s};
+      mesh.triangles[i + 1] = {q, s, p};
+    }
+    const Grid grid = build_grid(mesh, {.relative_tolerance = 0.01});
+    const MeshError error = *compare(mesh, grid, extract(grid), {.error = true}).error;
+    EXPECT_LT(error.to_input.largest, 1.5 * grid.stats().tolerance) << order;
+    EXPECT_LT(error.to_output.largest, 1.5 * grid.stats().tolerance) << order;
+  }
 }
 
 // A part within another bounds nothing: it costs no triangle and leaves the topology certain.
