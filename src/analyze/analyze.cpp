@@ -66,7 +66,9 @@ std::vector<Index> find_flipped(const Mesh& mesh, const std::vector<Index>& part
     triangles.push_back(t);
     face_of.push_back(face);
   });
-  const Orientation orientation = orient(triangles, mesh.positions);
+  const Orientation orientation =
+      orient(triangles, mesh.positions,
+             build_topology(triangles, static_cast<Index>(mesh.positions.size())));
   std::vector<Index> found;
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     if (!orientation.must_turn.test(i)) continue;

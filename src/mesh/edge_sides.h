@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "mesh/marks.h"
 #include "mesh/numbers.h"
 #include "mesh/sides.h"
 #include "mesh/sort.h"
@@ -33,6 +34,16 @@ class EdgeSides {
           SideId side = 0;
           for (const Triangle& t : triangles) {
             for (int i = 0; i < 3; ++i, ++side) visit(t[i], t[next_corner(i)], side);
+          }
+        }) {}
+
+  /// The same, but takes only the marked sides.
+  EdgeSides(std::span<const Triangle> triangles, Index points, const Marks& taken)
+      : EdgeSides(points, [&](const auto& visit) {
+          for (SideId side = 0; side < taken.size(); ++side) {
+            if (!taken.test(side)) continue;
+            const Triangle& t = triangles[triangle_of(side)];
+            visit(t[corner_of(side)], t[next_corner(corner_of(side))], side);
           }
         }) {}
 

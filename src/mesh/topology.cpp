@@ -76,14 +76,7 @@ DisjointSets join_at_edges(std::span<const Triangle> triangles, Index points,
     if (topology.opposite[side] == kNone) others.set(side);
   }
   if (!others.any()) return sets;
-  const auto for_each_other = [&](const auto& visit) {
-    for (SideId side = 0; side < others.size(); ++side) {
-      if (!others.test(side)) continue;
-      const Triangle& t = triangles[triangle_of(side)];
-      visit(t[corner_of(side)], t[next_corner(corner_of(side))], side);
-    }
-  };
-  EdgeSides(points, for_each_other).for_each_edge([&](PointId, std::span<const EdgeSide> edge) {
+  EdgeSides(triangles, points, others).for_each_edge([&](PointId, std::span<const EdgeSide> edge) {
     for (const EdgeSide& s : edge) sets.join(triangle_of(edge[0].side), triangle_of(s.side));
   });
   return sets;

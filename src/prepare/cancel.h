@@ -16,7 +16,4 @@ namespace kdm {
 Marks find_opposite_pairs(std::span<const Triangle> triangles, Index points,
                           const Topology& topology);
 
-/// The same without a topology, which tells quickly where there may be pairs.
-Marks find_opposite_pairs(std::span<const Triangle> triangles, Index points);
-
 }  // namespace kdm

@@ -5,35 +5,16 @@
 #include <vector>
 
 #include "mesh/same_corners.h"
+#include "prepare/twins.h"
 
 namespace kdm {
-namespace {
-
-// Finds the triangles that may be there several times: each of their sides shares its edge with
-// another one that runs the same way.
-std::vector<TriangleId> find_possible_copies(std::size_t triangles, const Topology& topology) {
-  Marks sides(topology.opposite.size());
-  for (const SideId side : topology.non_manifold_sides) sides.set(side);
-  std::vector<TriangleId> found;
-  for (TriangleId t = 0; t < triangles; ++t) {
-    bool all = true;
-    for (SideId side = 3 * t; side < 3 * t + 3; ++side) {
-      all = all && (sides.test(side) || topology.opposite[side] == kNone);
-    }
-    if (all) found.push_back(t);
-  }
-  return found;
-}
-
-}  // namespace
-
 Marks find_copies(std::span<const Triangle> triangles, Index points, const Topology& topology,
                   bool two_cancel) {
   Marks further(triangles.size());
   if (topology.non_manifold_edges == 0) return further;
   // How often each triangle is there; 0: once, or both ways.
   std::vector<Index> times(triangles.size(), 0);
-  const std::vector<TriangleId> candidates = find_possible_copies(triangles.size(), topology);
+  const std::vector<TriangleId> candidates = find_possible_twins(topology);
   std::vector<Triangle> corners;
   for (const TriangleId t : candidates) corners.push_back(triangles[t]);
   for_each_corner_set(corners, points, [&](std::span<const SortedCorners> group) {

@@ -38,13 +38,15 @@ void turn_faces(InputFaces& faces, const Marks& must_turn) {
   }
 }
 
-void drop_repeated_corners(InputFaces& faces) {
+Index drop_repeated_corners(InputFaces& faces) {
   Marks repeated(faces.triangles.size());
   for (std::size_t i = 0; i < faces.triangles.size(); ++i) {
     const Triangle& t = faces.triangles[i];
     repeated.set(i, t[0] == t[1] || t[1] == t[2] || t[2] == t[0]);
   }
-  faces.report.degenerate_faces += drop_faces(faces, repeated);
+  const Index dropped = drop_faces(faces, repeated);
+  faces.report.degenerate_faces += dropped;
+  return dropped;
 }
 
 Box bounds_of(const InputFaces& faces) {

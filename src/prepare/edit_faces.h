@@ -19,8 +19,9 @@ inline void find_topology(InputFaces& faces) {
   faces.topology = build_topology(faces.triangles, static_cast<Index>(faces.points.size()));
 }
 
-/// Drops triangles with two equal corners: they have no area.
-void drop_repeated_corners(InputFaces& faces);
+/// Drops triangles with two equal corners: they have no area. Returns how many there were; if there
+/// were any, the topology becomes invalid.
+Index drop_repeated_corners(InputFaces& faces);
 
 /// Returns the bounding box of the triangles.
 Box bounds_of(const InputFaces& faces);

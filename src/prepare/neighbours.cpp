@@ -13,6 +13,7 @@
 #include "mesh/same_corners.h"
 #include "mesh/sort.h"
 #include "prepare/cancel.h"
+#include "prepare/twins.h"
 #include "prepare/two_sided.h"
 
 namespace kdm {
@@ -78,10 +79,11 @@ struct Disagreement {
 
 class NeighbourWalk {
  public:
-  NeighbourWalk(std::span<const Triangle> triangles, const std::vector<Vec3>& points)
+  NeighbourWalk(std::span<const Triangle> triangles, const std::vector<Vec3>& points,
+                const Topology& topology)
       : triangles_(triangles),
         points_(points),
-        edges_(triangles, static_cast<Index>(points.size())),
+        topology_(topology),
         sets_(triangles.size()),
         trusted_(triangles.size()) {
     result_.must_turn.assign(triangles.size());
@@ -102,46 +104,64 @@ class NeighbourWalk {
 
  private:
   Index points() const { return static_cast<Index>(points_.size()); }
+  SideId opposite(SideId side) const { return topology_.opposite[side]; }
   bool is_copy(TriangleId triangle) const { return result_.copy_of[triangle] != kNone; }
 
   // Marks the triangles that are turned rightly as they are. In a component, joined by edges of any
   // kind, that uses every edge equally often in both directions they are, unless it has two sides.
   void find_trusted() {
-    DisjointSets components(triangles_.size());
-    std::vector<TriangleId> unbalanced;
-    bool manifold = true;
-    edges_.for_each_edge([&](Index, std::span<const EdgeSide> edge) {
-      std::ptrdiff_t balance = 0;
-      for (const EdgeSide& s : edge) {
-        components.join(triangle_of(edge[0].side), triangle_of(s.side));
-        balance += s.forward ? 1 : -1;
-      }
-      manifold = manifold && edge.size() <= 2;
-      if (balance != 0) unbalanced.push_back(triangle_of(edge[0].side));
-    });
-    if (manifold) return;  // without edges of three or more triangles nothing is in doubt
+    // Without edges of three or more triangles nothing is in doubt.
+    if (topology_.non_manifold_edges == 0) return;
+    DisjointSets components = join_at_edges(triangles_, points(), topology_);
     const Marks two_sided = find_two_sided_parts(
-        triangles_, points_, find_opposite_pairs(triangles_, points()), components, 2);
+        triangles_, points_, find_opposite_pairs(triangles_, points(), topology_), components, 2);
     Marks is_unbalanced(triangles_.size());
-    for (const TriangleId t : unbalanced) is_unbalanced.set(components.find(t));
+    for (SideId side = 0; side < topology_.opposite.size(); ++side) {
+      if (opposite(side) == kNone) is_unbalanced.set(components.find(triangle_of(side)));
+    }
     for (TriangleId t = 0; t < trusted_.size(); ++t) {
       trusted_.set(t, !two_sided.test(t) && !is_unbalanced.test(components.find(t)));
     }
   }
 
   void find_copies() {
-    for_each_corner_set(triangles_, points(), [&](std::span<const SortedCorners> group) {
-      if (trusted_.test(group[0].triangle)) return;
+    const std::vector<TriangleId> twins = find_possible_twins(topology_);
+    std::vector<Triangle> corners;
+    for (const TriangleId t : twins) corners.push_back(triangles_[t]);
+    for_each_corner_set(corners, points(), [&](std::span<const SortedCorners> group) {
+      const TriangleId first = twins[group[0].triangle];
+      if (trusted_.test(first)) return;
       for (const SortedCorners& other : group.subspan(1)) {
-        result_.copy_of[other.triangle] = group[0].triangle;
-        sets_.join(group[0].triangle, other.triangle, other.turned != group[0].turned);
+        const TriangleId copy = twins[other.triangle];
+        result_.copy_of[copy] = first;
+        sets_.join(first, copy, other.turned != group[0].turned);
       }
     });
   }
 
+  // Marks the sides on edges other than the usual one, which has two sides that run against each
+  // other, of triangles that are no copies.
+  Marks unusual_sides() const {
+    Marks unusual(topology_.opposite.size());
+    for (const SideId side : topology_.non_manifold_sides) unusual.set(side);
+    for (SideId side = 0; side < unusual.size(); ++side) {
+      const SideId beyond = opposite(side);
+      if (beyond == kNone || is_copy(triangle_of(side)) || is_copy(triangle_of(beyond))) {
+        unusual.set(side);
+      }
+    }
+    return unusual;
+  }
+
   void join_neighbours() {
+    const Marks unusual = unusual_sides();
+    for (SideId side = 0; side < unusual.size(); ++side) {
+      if (unusual.test(side) || opposite(side) < side) continue;  // each pair once
+      sets_.join(triangle_of(side), triangle_of(opposite(side)), false);
+    }
     std::vector<EdgeSide> sides;
-    edges_.for_each_edge([&](PointId lower, std::span<const EdgeSide> edge) {
+    const EdgeSides edges(triangles_, points(), unusual);
+    edges.for_each_edge([&](PointId lower, std::span<const EdgeSide> edge) {
       sides.clear();
       for (const EdgeSide& s : edge) {
         if (!is_copy(triangle_of(s.side))) sides.push_back(s);
@@ -262,7 +282,7 @@ class NeighbourWalk {
 
   std::span<const Triangle> triangles_;
   const std::vector<Vec3>& points_;
-  EdgeSides edges_;
+  const Topology& topology_;
   TurnedSets sets_;
   Marks trusted_;  // triangles of components that are closed and oriented as they are
   std::vector<Disagreement> disagreements_;
@@ -274,8 +294,8 @@ class NeighbourWalk {
 }  // namespace
 
 NeighbourDirections orient_neighbours(std::span<const Triangle> triangles,
-                                      const std::vector<Vec3>& points) {
-  return NeighbourWalk(triangles, points).run();
+                                      const std::vector<Vec3>& points, const Topology& topology) {
+  return NeighbourWalk(triangles, points, topology).run();
 }
 
 }  // namespace kdm

@@ -8,6 +8,7 @@
 
 #include "mesh/marks.h"
 #include "mesh/numbers.h"
+#include "mesh/topology.h"
 
 namespace kdm {
 
@@ -41,9 +42,9 @@ struct NeighbourDirections {
 /// after turning (`contradictions`); these are edges on which they disagreed before, and are chosen
 /// to be short.
 ///
-/// `points` must be scaled so that squares of areas neither overflow nor underflow. Takes time n
-/// log n in the edges that disagree, else linear.
+/// `points` must be scaled so that squares of areas neither overflow nor underflow. `topology` must
+/// be that of the triangles. Takes time n log n in the edges that disagree, else linear.
 NeighbourDirections orient_neighbours(std::span<const Triangle> triangles,
-                                      const std::vector<Vec3>& points);
+                                      const std::vector<Vec3>& points, const Topology& topology);
 
 }  // namespace kdm

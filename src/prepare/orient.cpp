@@ -53,10 +53,11 @@ struct Visibility {
 
 class Orienter {
  public:
-  Orienter(std::span<const Triangle> triangles, const std::vector<Vec3>& points)
+  Orienter(std::span<const Triangle> triangles, const std::vector<Vec3>& points,
+           const Topology& topology)
       : triangles_(triangles),
         scaled_(scale_to_one(points, triangles)),
-        neighbours_(orient_neighbours(triangles, scaled_.positions)),
+        neighbours_(orient_neighbours(triangles, scaled_.positions, topology)),
         shapes_(neighbours_.parts.size()),
         turn_part_(neighbours_.parts.size()) {}
 
@@ -324,8 +325,9 @@ class Orienter {
 
 }  // namespace
 
-Orientation orient(std::span<const Triangle> triangles, const std::vector<Vec3>& points) {
-  return Orienter(triangles, points).run();
+Orientation orient(std::span<const Triangle> triangles, const std::vector<Vec3>& points,
+                   const Topology& topology) {
+  return Orienter(triangles, points, topology).run();
 }
 
 }  // namespace kdm

@@ -7,6 +7,7 @@
 
 #include "mesh/marks.h"
 #include "mesh/numbers.h"
+#include "mesh/topology.h"
 
 namespace kdm {
 
@@ -54,8 +55,10 @@ struct Orientation {
 /// At most 16,384 rays are followed for open parts, the same on every platform; if there are more
 /// than 1,024 open parts, only the largest are looked at, and the others stay as they are. Takes
 /// linear time up to sorting, and for each ray a time that is logarithmic on usual meshes. The
-/// corners of each triangle must be distinct, and coordinates at most 1e150.
-Orientation orient(std::span<const Triangle> triangles, const std::vector<Vec3>& points);
+/// corners of each triangle must be distinct, and coordinates at most 1e150. `topology` must be that
+/// of the triangles.
+Orientation orient(std::span<const Triangle> triangles, const std::vector<Vec3>& points,
+                   const Topology& topology);
 // clang-format on
 
 }  // namespace kdm

@@ -34,28 +34,31 @@ constexpr double kMostLost = 0.05;
 constexpr double kMostTorn = 16;
 
 void sew(InputFaces& faces, double tolerance) {
+  if (faces.topology.boundary_edges == 0) return;
   double reach = tolerance;
   Index& sewn = faces.report.sewn_edges;
-  sewn = sew_rims(reach, faces.triangles, faces.points);
-  const double torn = torn_distance(kMostTorn * tolerance, faces.triangles, faces.points);
+  sewn = sew_rims(reach, faces.triangles, faces.points, faces.topology);
+  const double torn =
+      torn_distance(kMostTorn * tolerance, faces.triangles, faces.points, faces.topology);
   if (torn > tolerance) {
     reach = torn;
-    sewn += sew_rims(reach, faces.triangles, faces.points);
+    sewn += sew_rims(reach, faces.triangles, faces.points, faces.topology);
   }
   if (sewn > 0) faces.report.sewing_distance = reach;
-  drop_repeated_corners(faces);
+  const Index dropped = drop_repeated_corners(faces);
   if (faces.triangles.empty()) {
     throw Error(ErrorCode::kNotClosed,
                 "the surface encloses nothing that is wider than the tolerance; thicken it, or "
                 "take it as a sheet");
   }
+  if (dropped > 0) find_topology(faces);
 }
 
 // Turns faces so that neighbours agree and parts look outwards. Of several faces over the same
 // corners one is kept. Returns which of the faces that are left belong to open parts that are seen
 // from both sides alike.
 Marks turn_outwards(InputFaces& faces) {
-  const Orientation orientation = orient(faces.triangles, faces.points);
+  const Orientation orientation = orient(faces.triangles, faces.points, faces.topology);
   turn_faces(faces, orientation.must_turn);
   Marks seen_from_both_sides;
   Marks copies;
@@ -65,7 +68,10 @@ Marks turn_outwards(InputFaces& faces) {
     const OrientedPart& part = orientation.parts[orientation.part[i]];
     seen_from_both_sides.push_back(part.sheet && !part.closed);
   }
-  drop_faces(faces, copies);
+  if (!orientation.changes_nothing() || orientation.copies > 0) {
+    drop_faces(faces, copies);
+    find_topology(faces);
+  }
   faces.report.turned_faces = orientation.flipped_triangles;
   faces.report.duplicate_faces = orientation.copies;
   return seen_from_both_sides;
@@ -150,7 +156,6 @@ void close_holes(InputFaces& faces, const Marks& seen_from_both_sides, double to
 void repair_faces(InputFaces& faces, const BuildOptions& options, double tolerance) {
   sew(faces, tolerance);
   const Marks seen_from_both_sides = turn_outwards(faces);
-  find_topology(faces);
   if (faces.topology.closed()) return;
   pair_straightest(faces.triangles, faces.points, faces.topology);
   const std::vector<BoundaryLoop> rims = find_rim_loops(faces.topology.opposite);

@@ -12,6 +12,7 @@
 #include "mesh/box_tree.h"
 #include "mesh/disjoint_sets.h"
 #include "mesh/edge_sides.h"
+#include "mesh/marks.h"
 #include "mesh/sort.h"
 
 namespace kdm {
@@ -45,18 +46,36 @@ struct Match {
   bool same_direction = false;
 };
 
-std::vector<RimSide> find_rim_sides(double distance, const std::vector<Triangle>& triangles,
-                                    const std::vector<Vec3>& points) {
-  std::vector<RimSide> rims;
-  const EdgeSides edges(triangles, static_cast<Index>(points.size()));
+struct Rims {
+  std::vector<RimSide> sides;
+  std::size_t edges = 0;  // how many edges there are, others than rims among them
+};
+
+Rims find_rim_sides(double distance, const std::vector<Triangle>& triangles,
+                    const std::vector<Vec3>& points, const Topology& topology) {
+  Rims rims;
+  std::size_t paired = 0;
+  Marks unpaired(topology.opposite.size());  // alone, or beside a side that runs the same way
+  for (SideId side = 0; side < unpaired.size(); ++side) {
+    const bool is_paired = topology.opposite[side] != kNone;
+    unpaired.set(side, !is_paired);
+    paired += is_paired ? 1 : 0;
+  }
+  for (const SideId side : topology.non_manifold_sides) {
+    unpaired.clear(side);
+    paired -= topology.opposite[side] != kNone ? 1 : 0;
+  }
+  rims.edges = paired / 2 + topology.non_manifold_edges;
+  const EdgeSides edges(triangles, static_cast<Index>(points.size()), unpaired);
   edges.for_each_edge([&](Index, std::span<const EdgeSide> sides) {
+    ++rims.edges;
     if (sides.size() != 1) return;
     const SideId side = sides[0].side;
     const Triangle& t = triangles[triangle_of(side)];
     const PointId from = t[corner_of(side)];
     const PointId to = t[next_corner(corner_of(side))];
     const double reach = std::min(distance, 0.5 * distance_between(points[from], points[to]));
-    if (reach > 0) rims.push_back({triangle_of(side), from, to, reach});
+    if (reach > 0) rims.sides.push_back({triangle_of(side), from, to, reach});
   });
   return rims;
 }
@@ -160,10 +179,11 @@ void move_together(DisjointSets& sets, std::vector<Triangle>& triangles,
 
 }  // namespace
 
-Index sew_rims(double distance, std::vector<Triangle>& triangles, std::vector<Vec3>& points) {
+Index sew_rims(double distance, std::vector<Triangle>& triangles, std::vector<Vec3>& points,
+               Topology& topology) {
   Index sewn = 0;
   for (int round = 0; round < kRounds; ++round) {
-    const std::vector<RimSide> rims = find_rim_sides(distance, triangles, points);
+    const std::vector<RimSide> rims = find_rim_sides(distance, triangles, points, topology).sides;
     const MatchFinder finder(rims, points);
     std::vector<Match> matches;
     matches.reserve(rims.size());
@@ -180,16 +200,14 @@ Index sew_rims(double distance, std::vector<Triangle>& triangles, std::vector<Ve
     }
     if (sewn == before) break;
     move_together(sets, triangles, points);
+    topology = build_topology(triangles, static_cast<Index>(points.size()));
   }
   return sewn;
 }
 
 double torn_distance(double most, const std::vector<Triangle>& triangles,
-                     const std::vector<Vec3>& points) {
-  const std::vector<RimSide> rims = find_rim_sides(most, triangles, points);
-  std::size_t edges = 0;
-  EdgeSides(triangles, static_cast<Index>(points.size()))
-      .for_each_edge([&](Index, std::span<const EdgeSide>) { ++edges; });
+                     const std::vector<Vec3>& points, const Topology& topology) {
+  const auto [rims, edges] = find_rim_sides(most, triangles, points, topology);
   if (!(static_cast<double>(rims.size()) > kLeastRims * static_cast<double>(edges))) return 0;
   const MatchFinder finder(rims, points);
   std::vector<Match> matches;

@@ -62,7 +62,8 @@ Faces welded_faces(const Mesh& mesh, const Weld& weld) {
 
 // Leaves out copies, and turns neighbours to agree.
 Faces oriented_faces(const Faces& all, const std::vector<Vec3>& points) {
-  const NeighbourDirections directions = orient_neighbours(all.triangles, points);
+  const NeighbourDirections directions = orient_neighbours(
+      all.triangles, points, build_topology(all.triangles, static_cast<Index>(points.size())));
   Faces faces;
   for (std::size_t t = 0; t < all.triangles.size(); ++t) {
     if (directions.copy_of[t] != kNone) continue;

@@ -11,7 +11,6 @@ namespace {
 
 // What of a part is in pairs, and the rest of it.
 struct PairedPart {
-  Index paired = 0;
   Measure pairs;
   Measure rest;
 
@@ -19,7 +18,7 @@ struct PairedPart {
     // Of a solid with walls inside, the rest bounds the solid. A box that is a thousand times as
     // long as it is thick encloses more than this.
     constexpr double kNothing = 1e-4;
-    return paired > 0 && rest.area <= pairs.area &&
+    return rest.area <= pairs.area &&
            std::abs(rest.volume) <= kNothing * rest.area * std::sqrt(rest.area);
   }
 };
@@ -30,23 +29,29 @@ Marks find_two_sided_parts(std::span<const Triangle> triangles, const std::vecto
                            const Marks& paired, DisjointSets& parts, Index fewest) {
   Marks two_sided(triangles.size());
   if (!paired.any()) return two_sided;
-  std::vector<Index> number(triangles.size(), kNone);  // by the triangle that stands for the part
+  // Both by the triangle that stands for the part. Most parts have no pairs: they are not measured.
+  std::vector<Index> in_pairs(triangles.size(), 0);
+  std::vector<Index> number(triangles.size(), kNone);
+  for (TriangleId t = 0; t < triangles.size(); ++t) {
+    if (paired.test(t)) ++in_pairs[parts.find(t)];
+  }
   std::vector<PairedPart> found;
   for (TriangleId t = 0; t < triangles.size(); ++t) {
-    Index& part = number[parts.find(t)];
+    const TriangleId first = parts.find(t);
+    if (in_pairs[first] < fewest) continue;
+    Index& part = number[first];
     const Triangle& corners = triangles[t];
     if (part == kNone) {
       part = static_cast<Index>(found.size());
       found.emplace_back();
       found.back().pairs.centre = found.back().rest.centre = points[corners[0]];
     }
-    found[part].paired += paired.test(t) ? 1 : 0;
     (paired.test(t) ? found[part].pairs : found[part].rest)
         .add(points[corners[0]], points[corners[1]], points[corners[2]]);
   }
   for (TriangleId t = 0; t < triangles.size(); ++t) {
-    const PairedPart& part = found[number[parts.find(t)]];
-    two_sided.set(t, part.paired >= fewest && part.has_two_sides());
+    const Index part = number[parts.find(t)];
+    two_sided.set(t, part != kNone && found[part].has_two_sides());
   }
   return two_sided;
 }

@@ -15,7 +15,8 @@ namespace kdm {
 /// Marks the triangles of parts that have two sides: parts that consist of pairs of triangles back
 /// to back, so that the other triangles of the part, if there are any, enclose next to nothing and
 /// have the lesser area. `paired` marks the triangles of pairs (see prepare/cancel.h), `parts` says
-/// which triangles are of one part. Parts with fewer than `fewest` triangles in pairs do not count.
+/// which triangles are of one part. Parts with fewer than `fewest` triangles in pairs, which is 1
+/// at least, do not count.
 Marks find_two_sided_parts(std::span<const Triangle> triangles, const std::vector<Vec3>& points,
                            const Marks& paired, DisjointSets& parts, Index fewest);
 

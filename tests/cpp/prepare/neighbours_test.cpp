@@ -15,7 +15,9 @@ namespace kdm {
 namespace {
 
 NeighbourDirections directions_of(const Mesh& mesh) {
-  return orient_neighbours(mesh.triangles, mesh.positions);
+  return orient_neighbours(
+      mesh.triangles, mesh.positions,
+      build_topology(mesh.triangles, static_cast<Index>(mesh.positions.size())));
 }
 
 // Turns each face with the given probability; `turned` tells which.
@@ -168,7 +170,7 @@ TEST(Neighbours, OneTriangleManyTimes) {
   ASSERT_EQ(result.parts.size(), 1u);
   EXPECT_EQ(result.parts[0].area, 0.5);
   EXPECT_EQ(result.must_turn.count(), 1u);
-  EXPECT_TRUE(orient_neighbours({}, {}).parts.empty());
+  EXPECT_TRUE(orient_neighbours({}, {}, {}).parts.empty());
 }
 
 }  // namespace

@@ -14,7 +14,10 @@
 namespace kdm {
 namespace {
 
-Orientation orientation_of(const Mesh& mesh) { return orient(mesh.triangles, mesh.positions); }
+Orientation orientation_of(const Mesh& mesh) {
+  return orient(mesh.triangles, mesh.positions,
+                build_topology(mesh.triangles, static_cast<Index>(mesh.positions.size())));
+}
 
 Marks all_marked(std::size_t size) {
   Marks marks(size);
@@ -297,7 +300,7 @@ TEST(Orient, PartsWithoutAreaAreHarmless) {
   const Orientation result = orientation_of(shapes::merged({line, shapes::cube()}));
   EXPECT_EQ(result.flipped_triangles, 0u);
   EXPECT_TRUE(result.parts.at(0).sheet);
-  EXPECT_TRUE(orient({}, {}).parts.empty());
+  EXPECT_TRUE(orient({}, {}, {}).parts.empty());
 }
 
 }  // namespace

@@ -13,17 +13,23 @@
 namespace kdm {
 namespace {
 
+Topology topology_of(const std::vector<Triangle>& triangles, const std::vector<Vec3>& points) {
+  return build_topology(triangles, static_cast<Index>(points.size()));
+}
+
 struct Sewn {
   Index edges;
   std::vector<Triangle> triangles;
   std::vector<Vec3> points;
 
-  Topology topology() const { return build_topology(triangles, static_cast<Index>(points.size())); }
+  Topology topology() const { return topology_of(triangles, points); }
 };
 
 Sewn sewn(const Mesh& mesh, double distance) {
   Sewn result{0, mesh.triangles, mesh.positions};
-  result.edges = sew_rims(distance, result.triangles, result.points);
+  Topology kept = topology_of(mesh.triangles, mesh.positions);
+  result.edges = sew_rims(distance, result.triangles, result.points, kept);
+  EXPECT_EQ(kept.opposite, result.topology().opposite);
   return result;
 }
 
@@ -111,7 +117,8 @@ TEST(Sew, ThousandsInOnePlaceTakeNoTime) {
 }
 
 double torn_distance_of(const Mesh& mesh, double most) {
-  return torn_distance(most, mesh.triangles, mesh.positions);
+  return torn_distance(most, mesh.triangles, mesh.positions,
+                       topology_of(mesh.triangles, mesh.positions));
 }
 
 TEST(Sew, FindsHowFarASurfaceIsTorn) {
