@@ -86,7 +86,7 @@ Sight::Sight(std::span<const Triangle> triangles, const std::vector<Vec3>& point
       points_(points),
       triangle_in_(all_but(left_out)),
       boxes_(boxes_of(triangles, points, triangle_in_)),
-      tree_(boxes_) {
+      tree_(boxes_, BoxTree::Division::kCurve) {
   if (boxes_.empty()) return;
   Box all = boxes_[0];
   for (const Box& box : boxes_) grow(all, box);
