@@ -25,6 +25,9 @@ constexpr double kFoldCosine = -0.9396926207859084;
 // The height of a triangle, as a part of its longest side, below which it counts as a fold.
 constexpr double kLeastHeight = 1e-4;
 
+// How many triangles are looked at for a polygon, about.
+std::uint64_t work_for(std::uint64_t corners) { return corners * corners * corners / 6; }
+
 // `doubled` is twice the area vector of the triangle.
 bool has_no_height(const Vec3& doubled, const Vec3& a, const Vec3& b, const Vec3& c) {
   const double longest =
@@ -41,13 +44,21 @@ bool is_fold(const Vec3& a, const Vec3& b) {
 void LeastAreaPatch::make(std::span<const PointId> polygon, std::span<const Vec3> beyond,
                           std::vector<Triangle>& out) {
   const std::uint64_t corners = polygon.size();
-  const bool affordable =
-      corners <= kMostCorners && work_ + corners * corners * corners / 6 <= kMostWork;
+  const bool affordable = corners <= kMostCorners && work_ + work_for(corners) <= kMostWork;
   if (affordable || corners <= kFewCorners) {
     run(polygon, beyond, out);
   } else {
     divide(polygon, beyond, out);
   }
+}
+
+bool LeastAreaPatch::is_little_work(std::span<const std::size_t> corners) {
+  std::uint64_t work = 0;
+  for (const std::size_t count : corners) {
+    if (count > kMostCorners) return false;
+    work += work_for(count);
+  }
+  return work <= kMostWork;
 }
 
 // Chooses corners, makes the patch over them, and then those between two chosen corners that follow
@@ -80,7 +91,7 @@ void LeastAreaPatch::divide(std::span<const PointId> polygon, std::span<const Ve
 void LeastAreaPatch::run(std::span<const PointId> polygon, std::span<const Vec3> beyond,
                          std::vector<Triangle>& out) {
   size_ = polygon.size();
-  work_ += std::uint64_t{size_} * size_ * size_ / 6;
+  work_ += work_for(size_);
   corners_.clear();
   for (const PointId p : polygon) corners_.push_back(points_[p]);
   beyond_.assign(beyond.begin(), beyond.end());

@@ -36,6 +36,10 @@ class LeastAreaPatch {
   void make(std::span<const PointId> polygon, std::span<const Vec3> beyond,
             std::vector<Triangle>& out);
 
+  /// Tells whether the time for polygons of so many corners is such that none of them is divided
+  /// because of the others. Then their patches do not depend on each other.
+  static bool is_little_work(std::span<const std::size_t> corners);
+
  private:
   struct Cost {
     std::uint32_t folds = 0;

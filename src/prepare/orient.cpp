@@ -15,6 +15,7 @@
 #include "mesh/sort.h"
 #include "prepare/neighbours.h"
 #include "prepare/sight.h"
+#include "threads/share_work.h"
 
 namespace kdm {
 namespace {
@@ -66,7 +67,7 @@ class Orienter {
     measure_parts();
     limit_parts();
     result_.parts.resize(shapes_.size());
-    for (Index p = 0; p < shapes_.size(); ++p) decide(p);
+    decide_by_themselves();
     decide_enclosed();
     report();
     return std::move(result_);
@@ -142,12 +143,32 @@ class Orienter {
            shapes_[p].volume < 0;
   }
 
+  // Tells whether a part is closed, but encloses nothing.
+  bool is_hollow(Index p) const {
+    return neighbours_.parts[p].closed &&
+           std::abs(shapes_[p].volume) <= kMostRoundingVolume * volume_unit(p);
+  }
+
+  // Tells whether rays must be followed for a part.
+  bool must_be_looked_at(Index p) const {
+    if (lines_for(p) == 0) return false;
+    return !neighbours_.parts[p].closed || !(is_hollow(p) || shapes_[p].touches_bounds);
+  }
+
+  void decide_by_themselves() {
+    for (Index p = 0; p < shapes_.size() && !sight_; ++p) {
+      if (must_be_looked_at(p)) prepare_sight();
+    }
+    share_work(shapes_.size(), workers(),
+               [this](std::size_t p, int) { decide(static_cast<Index>(p)); });
+  }
+
   // Decides about a part, unless it is enclosed: then it is only found that it is.
   void decide(Index p) {
     const Shape& shape = shapes_[p];
     OrientedPart& part = result_.parts[p];
     part.closed = neighbours_.parts[p].closed;
-    if (part.closed && std::abs(shape.volume) <= kMostRoundingVolume * volume_unit(p)) {
+    if (is_hollow(p)) {
       part.sheet = true;
       return;
     }
@@ -174,7 +195,7 @@ class Orienter {
   }
 
   // Tells whether enough rays leave the mesh from one side of a part. Stops as soon as they do.
-  bool can_be_seen(Index p, bool front) {
+  bool can_be_seen(Index p, bool front) const {
     const Index lines = lines_for(p);
     const double enough = kLeastSeenShare * lines;
     Index seen = 0;
@@ -186,7 +207,7 @@ class Orienter {
   }
 
   // Follows rays from both sides of a part until the difference is clear or no line is left.
-  Visibility look(Index p) {
+  Visibility look(Index p) const {
     const Index lines = lines_for(p);
     Index front = 0;
     Index back = 0;
@@ -262,8 +283,7 @@ class Orienter {
 
   // Tells whether the ray along a part's line of this number leaves the mesh, on the front or the
   // back of the surface. Directions are spread by the cosine of their angle to the normal.
-  bool sees_out(Index p, Index number, bool front) {
-    if (!sight_) prepare_sight();
+  bool sees_out(Index p, Index number, bool front) const {
     const SurfacePoint from = point_of(p, number);
     const Vec3 normal = doubled_area(from.triangle).normalized();
     const Vec3 direction = (front ? normal : Vec3(-normal)) + directions_[number];

@@ -14,6 +14,7 @@
 #include "prepare/flat_patch.h"
 #include "prepare/least_area_patch.h"
 #include "prepare/nested_polygons.h"
+#include "threads/share_work.h"
 
 namespace kdm {
 namespace {
@@ -41,8 +42,7 @@ class Patcher {
           const std::vector<Hole>& holes, double flatness)
       : scaled_(scale_to_one(points, triangles)),
         flatness_(std::ldexp(flatness, -scaled_.exponent)),
-        flat_patch_(scaled_.positions),
-        least_area_patch_(scaled_.positions, edges_) {
+        flat_patch_(scaled_.positions) {
     Marks at_hole(points.size());
     for (const Hole& hole : holes) {
       polygons_.push_back(measure_hole(hole.sides, triangles, scaled_.positions));
@@ -57,9 +57,7 @@ class Patcher {
       if (add_flat(group) || group.size() == 1) continue;
       for (const Index alone : group) add_flat({alone});
     }
-    for (Index hole = 0; hole < polygons_.size(); ++hole) {
-      if (!closed_.test(hole)) add_least_area(hole);
-    }
+    add_least_area();
     const auto earlier = [&](Index a, Index b) {
       return patches_[a].holes[0] < patches_[b].holes[0];
     };
@@ -97,11 +95,27 @@ class Patcher {
     return true;
   }
 
-  void add_least_area(Index hole) {
-    Patch patch;
-    patch.holes.push_back(hole);
-    least_area_patch_.make(polygons_[hole].corners, polygons_[hole].beyond, patch.triangles);
-    add(std::move(patch), polygons_[hole].bounds);
+  // Closes the holes that are left.
+  void add_least_area() {
+    std::vector<Patch> patches;
+    std::vector<std::size_t> corners;
+    for (Index hole = 0; hole < polygons_.size(); ++hole) {
+      if (closed_.test(hole)) continue;
+      patches.emplace_back().holes.push_back(hole);
+      corners.push_back(polygons_[hole].corners.size());
+    }
+    const int threads = LeastAreaPatch::is_little_work(corners) ? workers() : 1;
+    std::vector<LeastAreaPatch> makers(static_cast<std::size_t>(threads),
+                                       LeastAreaPatch(scaled_.positions, edges_));
+    share_work(patches.size(), threads, [&](std::size_t i, int worker) {
+      const HolePolygon& polygon = polygons_[patches[i].holes[0]];
+      makers[static_cast<std::size_t>(worker)].make(polygon.corners, polygon.beyond,
+                                                    patches[i].triangles);
+    });
+    for (Patch& patch : patches) {
+      const Box& bounds = polygons_[patch.holes[0]].bounds;
+      add(std::move(patch), bounds);
+    }
   }
 
   void add(Patch&& patch, const Box& bounds) {
@@ -123,7 +137,6 @@ class Patcher {
   std::vector<Index> hole_of_;         // per flat polygon
   Marks closed_;                       // per hole
   FlatPatch flat_patch_;
-  LeastAreaPatch least_area_patch_;
   std::vector<Patch> patches_;
 };
 

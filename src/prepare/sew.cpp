@@ -14,6 +14,7 @@
 #include "mesh/edge_sides.h"
 #include "mesh/marks.h"
 #include "mesh/sort.h"
+#include "threads/share_work.h"
 
 namespace kdm {
 namespace {
@@ -85,6 +86,21 @@ class MatchFinder {
   MatchFinder(const std::vector<RimSide>& rims, const std::vector<Vec3>& points)
       : rims_(rims), points_(points), boxes_(boxes_of(rims, points)), tree_(boxes_) {}
 
+  // Returns for each side what `nearest` finds.
+  std::vector<Match> matches() const {
+    constexpr std::size_t kSidesPerTask = 256;
+    std::vector<Match> found(rims_.size());
+    const std::size_t tasks = rims_.size() / kSidesPerTask + 1;
+    share_work(tasks, workers(), [&](std::size_t task, int) {
+      const std::size_t end = begin_of_part(rims_.size(), task + 1, tasks);
+      for (std::size_t i = begin_of_part(rims_.size(), task, tasks); i < end; ++i) {
+        found[i] = nearest(static_cast<Index>(i));
+      }
+    });
+    return found;
+  }
+
+ private:
   // Finds the nearest of the rim sides within reach of side i; of equally near ones the one that
   // runs the other way, then the one with the lower number.
   Match nearest(Index i) const {
@@ -108,7 +124,6 @@ class MatchFinder {
     return best;
   }
 
- private:
   // Returns a box round the middle of each side, so that the boxes of sides that belong together
   // meet: their middles are no further apart than their ends.
   static std::vector<Box> boxes_of(const std::vector<RimSide>& rims,
@@ -184,10 +199,7 @@ Index sew_rims(double distance, std::vector<Triangle>& triangles, std::vector<Ve
   Index sewn = 0;
   for (int round = 0; round < kRounds; ++round) {
     const std::vector<RimSide> rims = find_rim_sides(distance, triangles, points, topology).sides;
-    const MatchFinder finder(rims, points);
-    std::vector<Match> matches;
-    matches.reserve(rims.size());
-    for (Index i = 0; i < rims.size(); ++i) matches.push_back(finder.nearest(i));
+    const std::vector<Match> matches = MatchFinder(rims, points).matches();
     DisjointSets sets(points.size());
     const Index before = sewn;
     for (Index i = 0; i < rims.size(); ++i) {
@@ -209,10 +221,7 @@ double torn_distance(double most, const std::vector<Triangle>& triangles,
                      const std::vector<Vec3>& points, const Topology& topology) {
   const auto [rims, edges] = find_rim_sides(most, triangles, points, topology);
   if (!(static_cast<double>(rims.size()) > kLeastRims * static_cast<double>(edges))) return 0;
-  const MatchFinder finder(rims, points);
-  std::vector<Match> matches;
-  matches.reserve(rims.size());
-  for (Index i = 0; i < rims.size(); ++i) matches.push_back(finder.nearest(i));
+  const std::vector<Match> matches = MatchFinder(rims, points).matches();
   std::vector<double> distances;
   for (Index i = 0; i < rims.size(); ++i) {
     const Index j = matches[i].other;

@@ -14,6 +14,7 @@
 #include "mesh/scale.h"
 #include "mesh/sides.h"
 #include "prepare/outside_in.h"
+#include "threads/share_work.h"
 
 namespace kdm {
 namespace {
@@ -70,11 +71,11 @@ Marks find_turned(const std::vector<OpenPart>& parts, const Marks& is_a_sheet,
   double whole = 0;
   for (const OpenPart& part : parts) whole += part.own.area;
   Marks turned(parts.size());
-  std::vector<Triangle> closed;
-  for (Index p = 0; p < parts.size(); ++p) {
+  share_work(parts.size(), workers(), [&](std::size_t number, int) {
+    const auto p = static_cast<Index>(number);
     const double patched = parts[p].closed.area - parts[p].own.area;
-    if (is_a_sheet.test(p) || !(patched > kHarmlessPatches * parts[p].own.area)) continue;
-    closed.clear();
+    if (is_a_sheet.test(p) || !(patched > kHarmlessPatches * parts[p].own.area)) return;
+    std::vector<Triangle> closed;
     for (const TriangleId t : triangles_of.of(p)) closed.push_back(triangles[t]);
     std::vector<TriangleId> own(closed.size());
     std::iota(own.begin(), own.end(), TriangleId{0});
@@ -85,7 +86,7 @@ Marks find_turned(const std::vector<OpenPart>& parts, const Marks& is_a_sheet,
     double share = share_outside_in(closed, positions, sight, own, kSamples);
     if (parts[p].closed.volume < 0) share = std::min(share, 1 - share);  // it may be turned itself
     turned.set(p, share > kMostOutsideIn && share * parts[p].own.area > kMostOfAll * whole);
-  }
+  });
   return turned;
 }
 

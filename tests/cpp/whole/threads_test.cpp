@@ -42,6 +42,18 @@ Mesh two_spheres() {
   return shapes::merged({ball(), shapes::translated(ball(), Vec3(0.7, 0.2, 0.1))});
 }
 
+// Parts with holes that no plane closes, some of them within others, of which it must be seen where
+// they look.
+Mesh open_spheres() {
+  std::vector<Mesh> parts;
+  for (int i = 0; i < 10; ++i) {
+    parts.push_back(shapes::translated(
+        shapes::open(shapes::icosphere(3, 0.5 - 0.02 * i), static_cast<Index>(20 + 7 * i)),
+        Vec3(0.4 * (i / 2), 0, 0)));
+  }
+  return shapes::merged(parts);
+}
+
 // So torn that winding numbers say what is inside.
 Mesh torn_sphere() { return shapes::jittered(shapes::soup(ball()), 0.02, 7); }
 
@@ -61,6 +73,7 @@ std::vector<Case> cases() {
        shapes::turned(shapes::random_voxels(10, 0.4, 3)),
        {.relative_tolerance = 0.01}},
       {"open sphere", shapes::open(ball(), 40), {}},
+      {"open spheres", open_spheres(), {.relative_tolerance = 0.02}},
       {"torn sphere", torn_sphere(), {.relative_tolerance = 0.02}},
       {"sheet",
        shapes::grid_sheet(40, 40, [](double x, double y) { return x * y; }),
