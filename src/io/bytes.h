@@ -14,7 +14,7 @@ namespace kdm {
 enum class ByteOrder { kLittle, kBig };
 
 /// Reads numbers one after the other. Only `require` and `take_varint` check that the bytes are
-/// there; call `require` before anything else is taken or skipped.
+/// there; call `require` before anything else is looked at, taken or skipped.
 class ByteReader {
  public:
   /// Starts at byte `offset`. `name` is what messages call the file. Both views must outlive the
@@ -33,11 +33,13 @@ class ByteReader {
   }
   void skip(std::size_t count) { at_ += count; }
 
-  /// Takes an unsigned integer of as many bytes as the type has.
+  /// Returns the unsigned integer, of as many bytes as the type has, that begins `skipped` bytes
+  /// further on.
   template <typename Unsigned>
-  Unsigned take_unsigned() {
+  Unsigned peek_unsigned(std::size_t skipped) const {
     // Two loops, of which compilers make a single load each.
-    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(bytes_[at_ + i]); };
+    const char* first = bytes_.data() + at_ + skipped;
+    const auto byte = [first](std::size_t i) { return static_cast<unsigned char>(first[i]); };
     Unsigned value = 0;
     if (order_ == ByteOrder::kLittle) {
       for (std::size_t i = 0; i < sizeof(Unsigned); ++i) {
@@ -49,6 +51,12 @@ class ByteReader {
         value = static_cast<Unsigned>(value | static_cast<Unsigned>(byte(i)) << (8 * place));
       }
     }
+    return value;
+  }
+  /// Takes an unsigned integer of as many bytes as the type has.
+  template <typename Unsigned>
+  Unsigned take_unsigned() {
+    const auto value = peek_unsigned<Unsigned>(0);
     at_ += sizeof(Unsigned);
     return value;
   }

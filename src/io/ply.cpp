@@ -2,6 +2,7 @@
 // PLY (Stanford polygon format). Reads ASCII and binary files of either byte order, with polygons
 // or triangle strips, and passes over other elements and properties. Writes binary files.
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -45,6 +46,7 @@ class TextValues {
     if (count > scanner_.bytes_left()) scanner_.fail_expected(compose("{} {}", count, what));
   }
   bool skip_records(const PlyElement&) { return false; }
+  bool take_triangle(const PlyProperty&, std::uint64_t, std::vector<Index>&) { return false; }
   Place place() const { return {"line", scanner_.line()}; }
   [[noreturn]] void fail(std::string_view message) const { scanner_.fail(message); }
 
@@ -86,6 +88,27 @@ class BinaryValues {
     if (element.has_list()) return false;
     reader_.require(element.count, element.record_bytes(), "record of " + in_quotes(element.name));
     reader_.skip(static_cast<std::size_t>(element.count) * element.record_bytes());
+    return true;
+  }
+  // Takes a list as nearly all are: of three corners, which are below `vertices`, with its length
+  // in one byte and each corner in four. Returns false, and takes nothing, if another one follows.
+  bool take_triangle(const PlyProperty& list, std::uint64_t vertices, std::vector<Index>& corners) {
+    constexpr std::size_t kIndexBytes = 4;
+    constexpr std::size_t kBytes = 1 + 3 * kIndexBytes;
+    const bool usual = ply_type_bytes(list.count_type) == 1 && is_integer(list.type) &&
+                       ply_type_bytes(list.type) == kIndexBytes;
+    if (!usual || reader_.bytes_left() < kBytes) return false;
+    if (reader_.peek_unsigned<std::uint8_t>(0) != 3) return false;
+    // Above this, numbers with a sign are below 0.
+    const std::uint64_t end = std::min(vertices, std::uint64_t{1} << 31);
+    Triangle t;
+    for (std::size_t i = 0; i < 3; ++i) {
+      t[i] = reader_.peek_unsigned<std::uint32_t>(1 + i * kIndexBytes);
+      if (t[i] >= end) return false;
+    }
+    corners.assign(t.begin(), t.end());
+    value_at_ = reader_.offset() + kBytes - kIndexBytes;
+    reader_.skip(kBytes);
     return true;
   }
   // The place of the value that was taken last.
@@ -226,6 +249,7 @@ class PlyReader {
   }
 
   void read_corners(const PlyProperty& list, bool strips) {
+    if (!strips && values_.take_triangle(list, vertices_, corners_)) return;
     const std::int64_t count = read_length(list);
     corners_.clear();
     for (std::int64_t i = 0; i < count; ++i) {

@@ -110,6 +110,49 @@ TEST(PlyRead, BinaryInBothByteOrdersWithAllTypes) {
   }
 }
 
+// A binary file of four vertices, with faces of these numbers of corners: 0, 1, 2 and so on, but
+// for the last corner of all.
+std::string binary_faces(bool big, const std::string& type, const std::vector<int>& faces,
+                         std::int32_t last_corner) {
+  Bytes body(big);
+  for (int i = 0; i < 4; ++i) {
+    body.add(i == 1 || i == 2 ? 1.f : 0.f).add(i >= 2 ? 1.f : 0.f).add(0.f);
+  }
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    body.add<std::uint8_t>(static_cast<std::uint8_t>(faces[i]));
+    for (int corner = 0; corner < faces[i]; ++corner) {
+      const bool last = i + 1 == faces.size() && corner + 1 == faces[i];
+      body.add<std::int32_t>(last ? last_corner : corner);
+    }
+    body.add<std::uint8_t>(7);
+  }
+  return std::string("ply\nformat binary_") + (big ? "big" : "little") + "_endian 1.0\n" +
+         kVertexHeader + "element face " + std::to_string(faces.size()) + "\nproperty list uchar " +
+         type + " vertex_indices\nproperty uchar flags\nend_header\n" + body.text();
+}
+
+TEST(PlyRead, BinaryTrianglesAmongOtherFaces) {
+  for (const bool big : {false, true}) {
+    for (const char* type : {"int", "uint"}) {
+      const std::string bytes = binary_faces(big, type, {3, 4, 2, 3, 3}, 3);
+      const Mesh mesh = parse_ply(bytes);
+      EXPECT_EQ(mesh.triangles,
+                (std::vector<Triangle>{{0, 1, 2}, {0, 1, 2}, {0, 2, 3}, {0, 1, 2}, {0, 1, 3}}));
+      EXPECT_EQ(mesh.source_faces, (std::vector<Index>{0, 1, 1, 3, 4}));
+      EXPECT_EQ(io_test::refused_beginnings(bytes, MeshFormat::kPly), bytes.size());
+      // The last corner begins five bytes before the end.
+      const std::string at = "byte " + std::to_string(bytes.size() - 5) + ": vertex index ";
+      EXPECT_NE(ply_fault(binary_faces(big, type, {3, 3}, 4))
+                    .find(": vertex index 4 is out of range, there are 4 vertices (from 0)"),
+                std::string::npos);
+      const std::string negative = ply_fault(binary_faces(big, type, {3, 4, 2, 3, 3}, -1));
+      EXPECT_NE(negative.find(at + (type[0] == 'u' ? "4294967295" : "-1") + " is out of range"),
+                std::string::npos)
+          << negative;
+    }
+  }
+}
+
 TEST(PlyRead, NamesAndTypesInUse) {
   const std::string body = "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
   for (const char* list : {"list uchar int vertex_index", "list uchar uint indices",
