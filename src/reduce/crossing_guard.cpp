@@ -40,11 +40,9 @@ CrossingGuard::CrossingGuard(const HalfEdges& mesh, const std::vector<Vec3>& pos
       positions_(positions),
       tree_(boxes_of(mesh, positions)),
       is_put_off_(mesh.triangles()),
-      rebuild_below_(static_cast<Index>(kWorn * mesh.triangles())),
-      replaced_(mesh.triangles()),
-      simple_(positions.size()) {}
+      rebuild_below_(static_cast<Index>(kWorn * mesh.triangles())) {}
 
-void CrossingGuard::plan(const Triangle& numbers, const std::array<Vec3, 3>& corners) {
+void CrossingGuard::Scratch::plan(const Triangle& numbers, const std::array<Vec3, 3>& corners) {
   planned_.push_back({numbers, corners, small_box(corners[0], corners[1], corners[2]),
                       doubled_area_vector(corners[0], corners[1], corners[2])});
 }
@@ -93,7 +91,7 @@ bool CrossingGuard::meets(const Planned& triangle, TriangleId other) const {
 }
 
 // Tells whether the planned triangle shares a vertex with another one round which nothing meets.
-bool CrossingGuard::surely_apart(const Planned& t, const Triangle& other) const {
+bool CrossingGuard::Scratch::surely_apart(const Planned& t, const Triangle& other) const {
   for (const VertexId v : other) {
     if (simple_.test(v) && (t.numbers[1] == v || t.numbers[2] == v)) return true;
   }
@@ -102,44 +100,45 @@ bool CrossingGuard::surely_apart(const Planned& t, const Triangle& other) const 
 
 // Tells whether the planned triangles meet each other or others; `beside` is one near to them.
 // Those round a vertex that is marked simple need no test against each other.
-bool CrossingGuard::planned_meet(bool simple_inside, TriangleId beside) {
+bool CrossingGuard::planned_meet(const Scratch& scratch, bool simple_inside, TriangleId beside) {
   catch_up();
+  const std::vector<Planned>& planned = scratch.planned_;
   SmallBox all;
-  for (std::size_t i = 0; i < planned_.size(); ++i) {
-    const Planned& t = planned_[i];
+  for (std::size_t i = 0; i < planned.size(); ++i) {
+    const Planned& t = planned[i];
     if (!has_area(t.corners[0], t.corners[1], t.corners[2])) return true;
     for (std::size_t j = 0; j < i && !simple_inside; ++j) {
-      if (Crossing::test(t.corners, t.numbers, planned_[j].corners, planned_[j].numbers)) {
+      if (Crossing::test(t.corners, t.numbers, planned[j].corners, planned[j].numbers)) {
         return true;
       }
     }
     all.grow(t.box);
   }
   return tree_.any_meeting(all, beside, [&](TriangleId other) {
-    if (replaced_.test(other)) return false;
+    if (scratch.replaced_.test(other)) return false;
     const SmallBox& box = tree_.box(other);
     const Triangle corners = mesh_.corners(other);
-    for (const Planned& t : planned_) {
-      if (t.box.meets(box) && !surely_apart(t, corners) && meets(t, other)) return true;
+    for (const Planned& t : planned) {
+      if (t.box.meets(box) && !scratch.surely_apart(t, corners) && meets(t, other)) return true;
     }
     return false;
   });
 }
 
 // Looks at the triangles round the new vertex.
-bool CrossingGuard::is_simple(const CollapseRing& ring) {
+bool CrossingGuard::is_simple(const CollapseRing& ring, Scratch& scratch) const {
   if (mesh_.on_boundary(ring.kept) || mesh_.on_boundary(ring.removed)) return false;
-  sides_.clear();
+  scratch.sides_.clear();
   for (const RingTriangle& t : ring.triangles) {
-    sides_.emplace_back(t.from_point - ring.point, t.to_point - ring.point);
+    scratch.sides_.emplace_back(t.from_point - ring.point, t.to_point - ring.point);
   }
-  return is_simple_fan(sides_);
+  return is_simple_fan(scratch.sides_);
 }
 
 // Looks at the triangles round a vertex of the ring as they would be.
-bool CrossingGuard::is_simple(const CollapseRing& ring, VertexId v) {
+bool CrossingGuard::is_simple(const CollapseRing& ring, VertexId v, Scratch& scratch) const {
   if (mesh_.on_boundary(v)) return false;
-  sides_.clear();
+  scratch.sides_.clear();
   const Vec3& apex = positions_[v];
   const auto point = [&](VertexId w) -> const Vec3& {
     return w == ring.kept || w == ring.removed ? ring.point : positions_[w];
@@ -147,39 +146,42 @@ bool CrossingGuard::is_simple(const CollapseRing& ring, VertexId v) {
   mesh_.for_each_leaving(v, [&](SideId h) {
     const TriangleId t = triangle_of(h);
     if (std::find(ring.gone.begin(), ring.gone.end(), t) != ring.gone.end()) return;
-    sides_.emplace_back(point(mesh_.end(h)) - apex, point(mesh_.start(previous_side(h))) - apex);
+    scratch.sides_.emplace_back(point(mesh_.end(h)) - apex,
+                                point(mesh_.start(previous_side(h))) - apex);
   });
-  return is_simple_fan(sides_);
+  return is_simple_fan(scratch.sides_);
 }
 
-bool CrossingGuard::would_meet(const CollapseRing& ring) {
-  planned_.clear();
+bool CrossingGuard::would_meet(const CollapseRing& ring, Scratch& scratch) {
+  Marks& replaced = scratch.replaced_;
+  Marks& simple = scratch.simple_;
+  scratch.planned_.clear();
   for (const RingTriangle& t : ring.triangles) {
-    plan(numbers_of(ring, t), corners_of(ring, t));
-    replaced_.set(t.number);
+    scratch.plan(numbers_of(ring, t), corners_of(ring, t));
+    replaced.set(t.number);
   }
-  for (const TriangleId t : ring.gone) replaced_.set(t);
+  for (const TriangleId t : ring.gone) replaced.set(t);
   for (const RingTriangle& t : ring.triangles) {
-    if (is_simple(ring, t.from)) simple_.set(t.from);
+    if (is_simple(ring, t.from, scratch)) simple.set(t.from);
   }
-  const bool meet = planned_meet(is_simple(ring), ring.triangles.front().number);
+  const bool meet = planned_meet(scratch, is_simple(ring, scratch), ring.triangles.front().number);
   for (const RingTriangle& t : ring.triangles) {
-    replaced_.clear(t.number);
-    simple_.clear(t.from);
+    replaced.clear(t.number);
+    simple.clear(t.from);
   }
-  for (const TriangleId t : ring.gone) replaced_.clear(t);
+  for (const TriangleId t : ring.gone) replaced.clear(t);
   return meet;
 }
 
 bool CrossingGuard::would_meet(const std::array<TriangleId, 2>& places,
-                               const std::array<Triangle, 2>& triangles) {
-  planned_.clear();
+                               const std::array<Triangle, 2>& triangles, Scratch& scratch) {
+  scratch.planned_.clear();
   for (const Triangle& t : triangles) {
-    plan(t, {positions_[t[0]], positions_[t[1]], positions_[t[2]]});
+    scratch.plan(t, {positions_[t[0]], positions_[t[1]], positions_[t[2]]});
   }
-  for (const TriangleId t : places) replaced_.set(t);
-  const bool meet = planned_meet(false, places.front());
-  for (const TriangleId t : places) replaced_.clear(t);
+  for (const TriangleId t : places) scratch.replaced_.set(t);
+  const bool meet = planned_meet(scratch, false, places.front());
+  for (const TriangleId t : places) scratch.replaced_.clear(t);
   return meet;
 }
 

@@ -17,14 +17,16 @@ namespace kdm {
 /// for coordinates of about 1.
 class CrossingGuard {
  public:
+  class Scratch;
+
   CrossingGuard(const HalfEdges& mesh, const std::vector<Vec3>& positions);
 
   /// Tells whether a triangle of the ring would be without area, or meet another one of the ring or
   /// of the rest of the mesh where they share neither vertex nor edge.
-  bool would_meet(const CollapseRing& ring);
+  bool would_meet(const CollapseRing& ring, Scratch& scratch);
   /// Tells the same of two triangles that are to take the place of others, given by numbers.
-  bool would_meet(const std::array<TriangleId, 2>& places,
-                  const std::array<Triangle, 2>& triangles);
+  bool would_meet(const std::array<TriangleId, 2>& places, const std::array<Triangle, 2>& triangles,
+                  Scratch& scratch);
 
   /// Makes known that the ring's triangles are what the last step left.
   void collapsed(const CollapseRing& ring);
@@ -40,11 +42,9 @@ class CrossingGuard {
   };
 
   void catch_up();
-  void plan(const Triangle& numbers, const std::array<Vec3, 3>& corners);
-  bool is_simple(const CollapseRing& ring);
-  bool is_simple(const CollapseRing& ring, VertexId v);
-  bool planned_meet(bool simple_inside, TriangleId beside);
-  bool surely_apart(const Planned& t, const Triangle& other) const;
+  bool is_simple(const CollapseRing& ring, Scratch& scratch) const;
+  bool is_simple(const CollapseRing& ring, VertexId v, Scratch& scratch) const;
+  bool planned_meet(const Scratch& scratch, bool simple_inside, TriangleId beside);
   bool surely_beside(const Planned& t, const Triangle& other) const;
   bool surely_beyond(const Planned& t, const Vec3& normal, double size, const Vec3& origin,
                      const Triangle& other) const;
@@ -56,7 +56,20 @@ class CrossingGuard {
   Marks is_put_off_;   // per triangle
   std::vector<TriangleId> put_off_;
   Index rebuild_below_ = 0;  // living triangles at which the tree is built anew
-  Marks replaced_;           // per triangle: takes no part, because a planned one replaces it
+};
+
+/// What a test writes down while it lasts.
+class CrossingGuard::Scratch {
+ public:
+  explicit Scratch(const HalfEdges& mesh) : replaced_(mesh.triangles()), simple_(mesh.vertices()) {}
+
+ private:
+  friend class CrossingGuard;
+
+  void plan(const Triangle& numbers, const std::array<Vec3, 3>& corners);
+  bool surely_apart(const Planned& t, const Triangle& other) const;
+
+  Marks replaced_;  // per triangle: takes no part, because a planned one replaces it
   std::vector<Planned> planned_;
   // Per vertex: the triangles that there would be round it surely do not meet.
   Marks simple_;

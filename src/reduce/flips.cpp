@@ -21,6 +21,7 @@ class Flipper {
   explicit Flipper(Workpiece& piece)
       : piece_(piece),
         smooth_(piece, piece.distance->creases),
+        crossing_(piece.mesh),
         changed_(piece.positions.size()),
         changed_before_(piece.positions.size()) {}
 
@@ -76,7 +77,7 @@ class Flipper {
     const SideId back = piece_.mesh.opposite(h);
     for (const SideId side : {h, back, previous_side(h), previous_side(back)}) {
       const VertexId v = piece_.mesh.start(side);
-      if (!move_to_smooth(piece_, smooth_, v)) continue;
+      if (!move_to_smooth(piece_, smooth_, crossing_, v)) continue;
       changed_.set(v);
       piece_.mesh.for_each_neighbour(v, [&](VertexId near) { changed_.set(near); });
       return true;
@@ -100,11 +101,11 @@ class Flipper {
     Samples& samples = piece_.distance->samples;
     const std::vector<double>& limits = piece_.distance->limits;
     if (!samples.fit(places, {corners(triangles[0]), corners(triangles[1])},
-                     std::min({limits[a], limits[b], limits[c], limits[d]}))) {
+                     std::min({limits[a], limits[b], limits[c], limits[d]}), places_)) {
       return false;
     }
-    if (piece_.guard->would_meet(places, triangles)) return false;
-    samples.move(places);
+    if (piece_.guard->would_meet(places, triangles, crossing_)) return false;
+    samples.move(places, places_);
     piece_.mesh.flip(h);
     for (const VertexId v : {a, b, c, d}) changed_.set(v);
     for (const TriangleId t : places) piece_.guard->changed(t);
@@ -125,6 +126,8 @@ class Flipper {
 
   Workpiece& piece_;
   SmoothTest smooth_;
+  CrossingGuard::Scratch crossing_;
+  Samples::Places places_;
   Marks changed_;         // per vertex: something at it has changed in this round
   Marks changed_before_;  // the same of the round before
 };

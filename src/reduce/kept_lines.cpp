@@ -72,41 +72,42 @@ VertexId KeptLines::next_on_border(VertexId from, VertexId not_to) const {
   return next;
 }
 
-bool KeptLines::stay_near(SideId edge, const CollapseRing& ring, double distance) {
+bool KeptLines::stay_near(SideId edge, const CollapseRing& ring, double distance, Cut& cut) const {
   if (!piece_.is_border(edge)) return true;
   const VertexId before = next_on_border(ring.kept, ring.removed);
   const VertexId after = next_on_border(ring.removed, ring.kept);
-  joined_ = stretch(ring.kept, ring.removed);
-  const auto distance_from = [&](std::size_t i) { return (joined_[i] - ring.point).squaredNorm(); };
+  Stretch& joined = cut.points;
+  joined = stretch(ring.kept, ring.removed);
+  const auto distance_from = [&](std::size_t i) { return (joined[i] - ring.point).squaredNorm(); };
   if (before != kNone) {
     Stretch whole = stretch(before, ring.kept);
-    whole.insert(whole.end(), joined_.begin() + 1, joined_.end());
-    joined_ = std::move(whole);
+    whole.insert(whole.end(), joined.begin() + 1, joined.end());
+    joined = std::move(whole);
   }
   if (after != kNone) {
     const Stretch more = stretch(ring.removed, after);
-    joined_.insert(joined_.end(), more.begin() + 1, more.end());
+    joined.insert(joined.end(), more.begin() + 1, more.end());
   }
   // A corner stays where it is, and the stretch ends there.
-  cut_ = before == kNone ? 0 : joined_.size() - 1;
+  cut.at = before == kNone ? 0 : joined.size() - 1;
   if (before != kNone && after != kNone) {
-    cut_ = 0;
-    for (std::size_t i = 1; i < joined_.size(); ++i) {
-      if (distance_from(i) < distance_from(cut_)) cut_ = i;
+    cut.at = 0;
+    for (std::size_t i = 1; i < joined.size(); ++i) {
+      if (distance_from(i) < distance_from(cut.at)) cut.at = i;
     }
   }
   const double limit = distance * distance;
   const auto is_near = [&](std::size_t first, std::size_t last, VertexId end) {
     const Vec3& far = end == kNone ? ring.point : piece_.positions[end];
     for (std::size_t i = first; i <= last; ++i) {
-      if (squared_distance(joined_[i], ring.point, far) > limit) return false;
+      if (squared_distance(joined[i], ring.point, far) > limit) return false;
     }
     return true;
   };
-  return is_near(0, cut_, before) && is_near(cut_, joined_.size() - 1, after);
+  return is_near(0, cut.at, before) && is_near(cut.at, joined.size() - 1, after);
 }
 
-void KeptLines::collapsing(SideId edge, const CollapseRing& ring) {
+void KeptLines::collapsing(SideId edge, const CollapseRing& ring, const Cut& cut) {
   if (stretches_.empty()) return;
   const bool along = piece_.is_border(edge);
   const VertexId before = along ? next_on_border(ring.kept, ring.removed) : kNone;
@@ -124,9 +125,9 @@ void KeptLines::collapsing(SideId edge, const CollapseRing& ring) {
     stretches_.erase(std::minmax(ring.removed, end));
   }
   if (!along) return;
-  const auto cut = joined_.begin() + static_cast<std::ptrdiff_t>(cut_);
-  if (before != kNone) put(before, ring.kept, Stretch(joined_.begin(), cut + 1));
-  if (after != kNone) put(ring.kept, after, Stretch(cut, joined_.end()));
+  const auto middle = cut.points.begin() + static_cast<std::ptrdiff_t>(cut.at);
+  if (before != kNone) put(before, ring.kept, Stretch(cut.points.begin(), middle + 1));
+  if (after != kNone) put(ring.kept, after, Stretch(middle, cut.points.end()));
 }
 
 }  // namespace kdm

@@ -18,6 +18,12 @@ namespace kdm {
 /// triangle, and those between triangles of two groups.
 class KeptLines {
  public:
+  /// Where a new vertex would cut the border along an edge and beside it.
+  struct Cut {
+    std::vector<Vec3> points;  ///< that the border had
+    std::size_t at = 0;        ///< which of them the new vertex comes for
+  };
+
   /// Remembers where borders run, if a distance is kept. `piece` must outlive this.
   explicit KeptLines(const Workpiece& piece);
 
@@ -34,10 +40,10 @@ class KeptLines {
   bool would_merge(SideId edge) const;
 
   /// Tells whether borders would be within the distance kept of what they were, both ways, if the
-  /// edge became the ring's new vertex.
-  bool stay_near(SideId edge, const CollapseRing& ring, double distance);
-  /// Makes known that the edge is about to be collapsed, after `stay_near`.
-  void collapsing(SideId edge, const CollapseRing& ring);
+  /// edge became the ring's new vertex. Sets `cut` if the edge is on a border.
+  bool stay_near(SideId edge, const CollapseRing& ring, double distance, Cut& cut) const;
+  /// Makes known that the edge is about to be collapsed; `cut` is what `stay_near` set.
+  void collapsing(SideId edge, const CollapseRing& ring, const Cut& cut);
 
  private:
   // The vertices that a stretch of border had, from the lower to the higher one of its ends.
@@ -54,8 +60,6 @@ class KeptLines {
   const Workpiece& piece_;
   bool any_ = false;
   std::map<Ends, Stretch> stretches_;
-  Stretch joined_;       // what `stay_near` looked at: all round the edge
-  std::size_t cut_ = 0;  // where the new vertex cuts it
 };
 
 }  // namespace kdm

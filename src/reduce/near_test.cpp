@@ -27,16 +27,16 @@ bool points_are_near(const KeptDistance& kept, const Vec3& from, const Vec3& to,
 
 }  // namespace
 
-bool stays_near(Workpiece& piece, const CollapseRing& ring) {
-  KeptDistance& kept = *piece.distance;
+bool stays_near(const Workpiece& piece, const CollapseRing& ring, NearFind& found) {
+  const KeptDistance& kept = *piece.distance;
   const double limit = std::min(kept.limits[ring.kept], kept.limits[ring.removed]);
-  if (!kept.samples.fit(ring, limit)) return false;
-  TriangleId& near = kept.near[ring.kept];
-  if (!kept.reference->is_near(ring.point, limit, near)) return false;
+  found.near = kept.near[ring.kept];
+  if (!kept.samples.fit(ring, limit, found.places)) return false;
+  if (!kept.reference->is_near(ring.point, limit, found.near)) return false;
   const bool on_rim = piece.mesh.on_boundary(ring.kept) || piece.mesh.on_boundary(ring.removed);
   for (std::size_t i = 0; i < ring.triangles.size(); ++i) {
     const RingTriangle& t = ring.triangles[i];
-    const TriangleId hint = kept.samples.hint(i);
+    const TriangleId hint = found.places.hint(i);
     if (!points_are_near(kept, ring.point, t.from_point, limit,
                          hint != kNone ? hint : kept.near[t.from])) {
       return false;

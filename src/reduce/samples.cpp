@@ -15,17 +15,17 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-Samples::Target::Target(const std::array<Vec3, 3>& triangle)
+Samples::Places::Target::Target(const std::array<Vec3, 3>& triangle)
     : corners(triangle), normal(unit_normal(triangle[0], triangle[1], triangle[2])) {
   for (int i = 0; i < 3; ++i) inwards[i] = normal.cross(corners[next_corner(i)] - corners[i]);
 }
 
-bool Samples::Target::is_beside(const Vec3& p) const {
+bool Samples::Places::Target::is_beside(const Vec3& p) const {
   const Vec3 off = p - corners[0];
   return inwards[0].dot(off) > 0 && inwards[1].dot(p - corners[1]) > 0 && inwards[2].dot(off) > 0;
 }
 
-double Samples::Target::squared_height(const Vec3& p) const {
+double Samples::Places::Target::squared_height(const Vec3& p) const {
   const double height = normal.dot(p - corners[0]);
   return height * height;
 }
@@ -39,16 +39,17 @@ void Samples::add(const Vec3& point, TriangleId t, TriangleId near) {
 
 // Finds places for the samples of a triangle, beginning at the target `at`, then where the sample
 // before went: that is near.
-bool Samples::find_places(TriangleId from, Index at, double distance) {
+bool Samples::find_places(TriangleId from, Index at, double distance, Places& found) const {
+  const std::vector<Places::Target>& targets = found.targets_;
   const double limit = distance * distance;
   const double enough = kNearEnough * kNearEnough * limit;
   for (Index s = first_[from]; s != kNone; s = next_[s]) {
     const Vec3& p = point_[s];
     double least = kFar;
     Index nearest = 0;
-    for (std::size_t i = 0; i < targets_.size(); ++i, ++at) {
-      if (at == targets_.size()) at = 0;
-      const Target& target = targets_[at];
+    for (std::size_t i = 0; i < targets.size(); ++i, ++at) {
+      if (at == targets.size()) at = 0;
+      const Places::Target& target = targets[at];
       const bool beside = target.is_beside(p);
       const double off =
           beside ? target.squared_height(p)
@@ -60,54 +61,58 @@ bool Samples::find_places(TriangleId from, Index at, double distance) {
     }
     if (!(least <= limit)) return false;
     at = nearest;
-    places_.push_back({s, nearest});
+    found.places_.push_back({s, nearest});
   }
   return true;
 }
 
-bool Samples::fit(const CollapseRing& ring, double distance) {
-  places_.clear();
-  targets_.clear();
-  for (const RingTriangle& t : ring.triangles) targets_.emplace_back(corners_of(ring, t));
+bool Samples::fit(const CollapseRing& ring, double distance, Places& places) const {
+  places.places_.clear();
+  places.targets_.clear();
+  for (const RingTriangle& t : ring.triangles) places.targets_.emplace_back(corners_of(ring, t));
   for (const TriangleId t : ring.gone) {
-    if (!find_places(t, 0, distance)) return false;
+    if (!find_places(t, 0, distance, places)) return false;
   }
   for (Index i = 0; i < ring.triangles.size(); ++i) {
-    if (!find_places(ring.triangles[i].number, i, distance)) return false;
+    if (!find_places(ring.triangles[i].number, i, distance, places)) return false;
   }
-  find_hints(ring);
+  find_hints(ring, places);
   return true;
 }
 
 bool Samples::fit(const std::array<TriangleId, 2>& triangles,
-                  const std::array<std::array<Vec3, 3>, 2>& corners, double distance) {
-  places_.clear();
-  targets_.clear();
-  for (const std::array<Vec3, 3>& triangle : corners) targets_.emplace_back(triangle);
-  return find_places(triangles[0], 0, distance) && find_places(triangles[1], 1, distance);
+                  const std::array<std::array<Vec3, 3>, 2>& corners, double distance,
+                  Places& places) const {
+  places.places_.clear();
+  places.targets_.clear();
+  for (const std::array<Vec3, 3>& triangle : corners) places.targets_.emplace_back(triangle);
+  return find_places(triangles[0], 0, distance, places) &&
+         find_places(triangles[1], 1, distance, places);
 }
 
-void Samples::find_hints(const CollapseRing& ring) {
-  hints_.assign(ring.triangles.size(), kNone);
-  off_.assign(ring.triangles.size(), kFar);
-  for (const Place& place : places_) {
+void Samples::find_hints(const CollapseRing& ring, Places& found) const {
+  found.hints_.assign(ring.triangles.size(), kNone);
+  found.off_.assign(ring.triangles.size(), kFar);
+  for (const Places::Place& place : found.places_) {
     const Vec3 middle = 0.5 * (ring.point + ring.triangles[place.target].from_point);
     const double off = (point_[place.sample] - middle).squaredNorm();
-    if (off >= off_[place.target]) continue;
-    off_[place.target] = off;
-    hints_[place.target] = near_[place.sample];
+    if (off >= found.off_[place.target]) continue;
+    found.off_[place.target] = off;
+    found.hints_[place.target] = near_[place.sample];
   }
 }
 
-void Samples::move(const CollapseRing& ring) {
+void Samples::move(const CollapseRing& ring, const Places& places) {
   for (const TriangleId t : ring.gone) first_[t] = kNone;
   for (const RingTriangle& t : ring.triangles) first_[t.number] = kNone;
-  for (const Place& place : places_) put(place.sample, ring.triangles[place.target].number);
+  for (const Places::Place& place : places.places_) {
+    put(place.sample, ring.triangles[place.target].number);
+  }
 }
 
-void Samples::move(const std::array<TriangleId, 2>& triangles) {
+void Samples::move(const std::array<TriangleId, 2>& triangles, const Places& places) {
   for (const TriangleId t : triangles) first_[t] = kNone;
-  for (const Place& place : places_) put(place.sample, triangles[place.target]);
+  for (const Places::Place& place : places.places_) put(place.sample, triangles[place.target]);
 }
 
 }  // namespace kdm

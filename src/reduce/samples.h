@@ -17,6 +17,8 @@ constexpr double kNearEnough = 0.5;
 /// The points. When a step replaces triangles, their points move to those that take their place.
 class Samples {
  public:
+  class Places;
+
   /// `triangles` is how many triangles the mesh has.
   explicit Samples(Index triangles) : first_(triangles, kNone) {}
 
@@ -24,22 +26,42 @@ class Samples {
   void add(const Vec3& point, TriangleId t, TriangleId near);
 
   /// Tells whether each point at the ring's triangles, and at those that go, is within `distance`
-  /// of one of the ring's.
-  bool fit(const CollapseRing& ring, double distance);
+  /// of one of the ring's. Sets `places` to where they would go.
+  bool fit(const CollapseRing& ring, double distance, Places& places) const;
   /// The same for two triangles, whose corners are to be others.
   bool fit(const std::array<TriangleId, 2>& triangles,
-           const std::array<std::array<Vec3, 3>, 2>& corners, double distance);
+           const std::array<std::array<Vec3, 3>, 2>& corners, double distance,
+           Places& places) const;
 
-  /// After `fit`: returns, for a triangle of the ring by its place there, a triangle of the
-  /// reference that may be near to the middle of its side from the new vertex; kNone if none of the
-  /// points went to it.
-  TriangleId hint(std::size_t place) const { return hints_[place]; }
-
-  /// Moves the points to where the last call of `fit` found place for them.
-  void move(const CollapseRing& ring);
-  void move(const std::array<TriangleId, 2>& triangles);
+  /// Moves the points to where `fit` found place for them.
+  void move(const CollapseRing& ring, const Places& places);
+  void move(const std::array<TriangleId, 2>& triangles, const Places& places);
 
  private:
+  bool find_places(TriangleId from, Index at, double distance, Places& found) const;
+  void find_hints(const CollapseRing& ring, Places& found) const;
+  void put(Index sample, TriangleId t) {
+    next_[sample] = first_[t];
+    first_[t] = sample;
+  }
+
+  std::vector<Vec3> point_;
+  std::vector<TriangleId> near_;  // per sample
+  std::vector<Index> next_;       // per sample: the next one at the same triangle
+  std::vector<Index> first_;      // per triangle
+};
+
+/// Where points would go. What it was made for last is forgotten when it is used again.
+class Samples::Places {
+ public:
+  /// After `fit` with a ring: returns, for a triangle of the ring by its place there, a triangle of
+  /// the reference that may be near to the middle of its side from the new vertex; kNone if none of
+  /// the points would go to it.
+  TriangleId hint(std::size_t place) const { return hints_[place]; }
+
+ private:
+  friend class Samples;
+
   // A triangle that points may go to, with what tells quickly whether it is nearest to a point by
   // its inside: the planes through its sides that are perpendicular to it.
   struct Target {
@@ -56,18 +78,7 @@ class Samples {
     Index target;  // its place among the targets
   };
 
-  bool find_places(TriangleId from, Index at, double distance);
-  void find_hints(const CollapseRing& ring);
-  void put(Index sample, TriangleId t) {
-    next_[sample] = first_[t];
-    first_[t] = sample;
-  }
-
-  std::vector<Vec3> point_;
-  std::vector<TriangleId> near_;  // per sample
-  std::vector<Index> next_;       // per sample: the next one at the same triangle
-  std::vector<Index> first_;      // per triangle
-  std::vector<Target> targets_;   // where points may go
+  std::vector<Target> targets_;  // where points may go
   std::vector<Place> places_;
   std::vector<TriangleId> hints_;  // per triangle of the ring
   std::vector<double> off_;        // per triangle of the ring: how far the hint's point is

@@ -77,7 +77,8 @@ bool turns_in_reference(const Workpiece& piece, SideId edge) {
   return std::abs(normals[0].dot(normals[1])) < kSteep;
 }
 
-bool move_to_smooth(Workpiece& piece, SmoothTest& smooth, VertexId v) {
+bool move_to_smooth(Workpiece& piece, SmoothTest& smooth, CrossingGuard::Scratch& crossing,
+                    VertexId v) {
   if (is_on_line(piece, v)) return false;
   KeptDistance& kept = *piece.distance;
   const Vec3 place = piece.positions[v];
@@ -86,14 +87,15 @@ bool move_to_smooth(Workpiece& piece, SmoothTest& smooth, VertexId v) {
   for (const RingTriangle& t : ring.triangles) middle += t.from_point;
   middle /= static_cast<double>(ring.triangles.size());
   const Vec3 centre = on_reference(kept, middle, kept.near[v]);
+  NearFind found;
   for (const Vec3& point :
        {centre, on_reference(kept, place, kept.near[v]), Vec3(0.5 * (place + centre))}) {
     ring.point = point.cast<float>().cast<double>();
-    if (!smooth.smooths(ring) || !keeps_shape(ring) || !stays_near(piece, ring) ||
-        piece.guard->would_meet(ring)) {
-      continue;
-    }
-    kept.samples.move(ring);
+    if (!smooth.smooths(ring) || !keeps_shape(ring)) continue;
+    const bool near = stays_near(piece, ring, found);
+    kept.near[v] = found.near;
+    if (!near || piece.guard->would_meet(ring, crossing)) continue;
+    kept.samples.move(ring, found.places);
     piece.positions[v] = ring.point;
     piece.guard->collapsed(ring);
     return true;

@@ -14,6 +14,7 @@ bool turns_in_reference(const Workpiece& piece, SideId edge);
 /// Moves a vertex beside false creases (see SmoothTest) to where there are fewer, as long as its
 /// triangles keep their shape, stay near to the reference and meet nothing. Needs a kept distance.
 /// Vertices on lines stay. Returns whether the vertex was moved.
-bool move_to_smooth(Workpiece& piece, SmoothTest& smooth, VertexId v);
+bool move_to_smooth(Workpiece& piece, SmoothTest& smooth, CrossingGuard::Scratch& crossing,
+                    VertexId v);
 
 }  // namespace kdm

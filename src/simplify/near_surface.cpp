@@ -118,10 +118,10 @@ bool NearSurface::is_near(const RingTriangle& t, TriangleId hint) {
 }
 
 bool NearSurface::fits(const WorkGrid& work) {
-  if (turns_over(work, ring_) || !samples_.fit(ring_, distance_)) return false;
+  if (turns_over(work, ring_) || !samples_.fit(ring_, distance_, places_)) return false;
   if (!reference_.is_near(ring_.point, distance_, near_)) return false;
   for (std::size_t i = 0; i < ring_.triangles.size(); ++i) {
-    if (!is_near(ring_.triangles[i], samples_.hint(i))) return false;
+    if (!is_near(ring_.triangles[i], places_.hint(i))) return false;
   }
   return true;
 }
@@ -153,8 +153,8 @@ bool NearSurface::find_position(const WorkGrid& work, const JoinedPiece& piece,
 void NearSurface::move(const WorkGrid& work, const JoinedPiece& piece, const Vec3& position) {
   fill_ring(work, piece, ring_);
   ring_.point = position;
-  samples_.fit(ring_, distance_);
-  samples_.move(ring_);
+  samples_.fit(ring_, distance_, places_);
+  samples_.move(ring_, places_);
 }
 
 }  // namespace kdm

@@ -33,6 +33,7 @@ class NearSurface {
   double distance_;
   Reference reference_;
   Samples samples_;
+  Samples::Places places_;   // where they would go
   TriangleId near_ = kNone;  // the triangle of the reference that was found last
   CollapseRing ring_;        // of the piece that is looked at
 };

@@ -50,6 +50,7 @@ TEST(CrossingGuard, SaysWhatAWholeSearchSays) {
   const Mesh shells = shapes::merged({shapes::icosphere(2, 0.5), shapes::icosphere(2, 0.47)});
   HalfEdges mesh(shells.triangles, static_cast<Index>(shells.positions.size()));
   CrossingGuard guard(mesh, shells.positions);
+  CrossingGuard::Scratch scratch(mesh);
   check::Random random(1);
   int meeting = 0;
   constexpr int kSteps = 300;
@@ -59,7 +60,7 @@ TEST(CrossingGuard, SaysWhatAWholeSearchSays) {
     for (int axis = 0; axis < 3; ++axis) point[axis] += random.between(-0.06, 0.06);
     const CollapseRing ring = ring_of(mesh, shells.positions, edge, point);
     const bool meet = find_self_intersections(collapsed(shells, ring)).pairs > 0;
-    ASSERT_EQ(guard.would_meet(ring), meet) << "edge " << edge;
+    ASSERT_EQ(guard.would_meet(ring, scratch), meet) << "edge " << edge;
     meeting += meet ? 1 : 0;
   }
   EXPECT_GT(meeting, kSteps / 10);
@@ -81,7 +82,8 @@ TEST(CrossingGuard, SeesWhatLeadsThroughFromASharedCorner) {
     EXPECT_EQ(find_self_intersections(folded).pairs > 0, leads_through);
     HalfEdges mesh(folded.triangles, static_cast<Index>(folded.positions.size()));
     CrossingGuard guard(mesh, folded.positions);
-    EXPECT_EQ(guard.would_meet({0, 1}, {mesh.corners(0), mesh.corners(1)}), leads_through);
+    CrossingGuard::Scratch scratch(mesh);
+    EXPECT_EQ(guard.would_meet({0, 1}, {mesh.corners(0), mesh.corners(1)}, scratch), leads_through);
   }
 }
 
@@ -89,10 +91,11 @@ TEST(CrossingGuard, RefusesTrianglesWithoutArea) {
   const Mesh sphere = shapes::icosphere(1, 0.5);
   HalfEdges mesh(sphere.triangles, static_cast<Index>(sphere.positions.size()));
   CrossingGuard guard(mesh, sphere.positions);
+  CrossingGuard::Scratch scratch(mesh);
   const CollapseRing ring = ring_of(mesh, sphere.positions, 0, sphere.positions[mesh.start(0)]);
   CollapseRing flat = ring;
   flat.point = ring.triangles.front().from_point;
-  EXPECT_TRUE(guard.would_meet(flat));
+  EXPECT_TRUE(guard.would_meet(flat, scratch));
 }
 
 TEST(CrossingGuard, KnowsWhatChanged) {
@@ -101,17 +104,18 @@ TEST(CrossingGuard, KnowsWhatChanged) {
   HalfEdges mesh(cubes.triangles, static_cast<Index>(cubes.positions.size()));
   std::vector<Vec3> positions = cubes.positions;
   CrossingGuard guard(mesh, positions);
+  CrossingGuard::Scratch scratch(mesh);
   // A vertex of the first cube moves into the second one: the guard sees it once it is told.
   const auto places = std::array<TriangleId, 2>{12, 13};
   const std::array<Triangle, 2> same = {mesh.corners(12), mesh.corners(13)};
-  EXPECT_FALSE(guard.would_meet(places, same));
+  EXPECT_FALSE(guard.would_meet(places, same, scratch));
   for (VertexId v = 0; v < 8; ++v) {
     if (positions[v].x() > 0.3) positions[v].x() = 0.6;
   }
   for (TriangleId t = 0; t < 12; ++t) guard.changed(t);
   bool meet = false;
   for (TriangleId t = 12; t + 1 < 24; t += 2) {
-    meet = meet || guard.would_meet({t, t + 1}, {mesh.corners(t), mesh.corners(t + 1)});
+    meet = meet || guard.would_meet({t, t + 1}, {mesh.corners(t), mesh.corners(t + 1)}, scratch);
   }
   EXPECT_TRUE(meet);
 }
