@@ -6,24 +6,30 @@
 #include <tuple>
 
 namespace kdm {
-namespace {
 
-// The standard library's heaps have the largest first.
 bool is_later(const Candidate& a, const Candidate& b) {
   return std::tie(a.cost, a.edge, a.place) > std::tie(b.cost, b.edge, b.place);
 }
 
-}  // namespace
-
 void CollapseQueue::push(const Candidate& candidate) {
   heap_.push_back(candidate);
+  // The standard library's heaps have the largest first.
   std::push_heap(heap_.begin(), heap_.end(), is_later);
 }
 
-Candidate CollapseQueue::pop() {
+Candidate CollapseQueue::pop_heap() {
   std::pop_heap(heap_.begin(), heap_.end(), is_later);
   const Candidate candidate = heap_.back();
   heap_.pop_back();
+  return candidate;
+}
+
+Candidate CollapseQueue::pop() {
+  if (seen_.empty() || (!heap_.empty() && is_later(seen_.back(), heap_.front()))) {
+    return pop_heap();
+  }
+  const Candidate candidate = seen_.back();
+  seen_.pop_back();
   return candidate;
 }
 

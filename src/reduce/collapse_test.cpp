@@ -133,11 +133,13 @@ bool CollapseTest::fits(SideId edge, CollapseTrial& trial) {
     const double limit = std::min(limits[ring.kept], limits[ring.removed]);
     if (!lines_.stay_near(edge, ring, limit, trial.cut)) return false;
   }
-  return !is_guarded(ring) || !piece_.guard->would_meet(ring, *crossing_);
+  trial.asked_guard = is_guarded(ring);
+  return !trial.asked_guard || !piece_.guard->would_meet(ring, *crossing_);
 }
 
 void CollapseTest::run(SideId edge, CollapsePlace place, CollapseTrial& trial) {
   trial.near.near = kNone;
+  trial.asked_guard = false;
   if (!meets_link_condition(edge) || lines_.would_merge(edge)) {
     trial.verdict = CollapseTrial::Verdict::kNever;
     return;

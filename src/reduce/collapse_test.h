@@ -24,9 +24,10 @@ struct CollapseTrial {
   };
 
   Verdict verdict = Verdict::kNever;
-  CollapseRing ring;   ///< what there would be; without meaning if the verdict is `kNever`
-  NearFind near;       ///< if a distance is kept and the tests came to it
-  KeptLines::Cut cut;  ///< if the edge may be collapsed and is on a border
+  CollapseRing ring;         ///< what there would be; without meaning if the verdict is `kNever`
+  NearFind near;             ///< if a distance is kept and the tests came to it
+  KeptLines::Cut cut;        ///< if the edge may be collapsed and is on a border
+  bool asked_guard = false;  ///< the ring was held against the rest of the mesh
 };
 
 /// The tests, in order of what they cost.

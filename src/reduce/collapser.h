@@ -30,6 +30,11 @@ class Collapser {
   void consider(SideId edge);
   void push(SideId edge, CollapsePlace place);
   double limit_of(SideId edge) const;
+  bool is_current(const Candidate& candidate) const {
+    return candidate.version == version_[candidate.edge] && piece_.mesh.is_edge(candidate.edge);
+  }
+  template <typename Trials>
+  void collapse_to(Index triangles, const std::function<void()>& between, Trials& trials);
   void step(SideId edge, const CollapseTrial& trial);
   void retry_edges_at(VertexId v);
   bool is_flat(SideId edge) const;
@@ -38,8 +43,6 @@ class Collapser {
   Workpiece& piece_;
   KeptLines lines_;
   EdgeErrors errors_;
-  CollapseTest test_;
-  CollapseTrial trial_;
   CollapseQueue queue_;
   std::vector<Index> version_;         // per half-edge
   Marks failed_;                       // per half-edge: no place for its vertex was found

@@ -195,8 +195,8 @@ void CrossingGuard::changed(TriangleId t) {
   if (!is_put_off_.test_and_set(t)) put_off_.push_back(t);
 }
 
-// Brings the tree up to date.
 void CrossingGuard::catch_up() {
+  if (put_off_.empty()) return;
   for (const TriangleId t : put_off_) {
     is_put_off_.clear(t);
     tree_.change(t, box_of(mesh_, positions_, t));

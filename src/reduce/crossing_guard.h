@@ -32,6 +32,9 @@ class CrossingGuard {
   void collapsed(const CollapseRing& ring);
   /// Makes known that a triangle's corners are others now, or that it is gone.
   void changed(TriangleId t);
+  /// Brings what tests read up to date. From then on until something changes, several threads may
+  /// test at a time, each with a scratch of its own.
+  void catch_up();
 
  private:
   struct Planned {
@@ -41,7 +44,6 @@ class CrossingGuard {
     Vec3 doubled_area;
   };
 
-  void catch_up();
   bool is_simple(const CollapseRing& ring, Scratch& scratch) const;
   bool is_simple(const CollapseRing& ring, VertexId v, Scratch& scratch) const;
   bool planned_meet(const Scratch& scratch, bool simple_inside, TriangleId beside);
