@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
+#include <vector>
 
-#include "mesh/marks.h"
 #include "reduce/near_test.h"
 #include "reduce/shape.h"
 #include "reduce/smooth_test.h"
@@ -22,8 +23,8 @@ class Flipper {
       : piece_(piece),
         smooth_(piece, piece.distance->creases),
         crossing_(piece.mesh),
-        changed_(piece.positions.size()),
-        changed_before_(piece.positions.size()) {}
+        changed_(piece.positions.size(), 0),
+        moved_in_vain_(piece.positions.size(), 0) {}
 
   Index flip_all() {
     const SideId sides = 3 * piece_.mesh.triangles();
@@ -31,8 +32,7 @@ class Flipper {
     Index moves = 0;
     for (int round = 0; round < kMostRounds; ++round) {
       const Index before = flips + moves;
-      std::swap(changed_, changed_before_);
-      changed_.clear_all();
+      round_before_ = std::exchange(round_, time_);
       for (SideId h = 0; h < sides; ++h) {
         if (!piece_.mesh.is_edge(h)) continue;
         if ((round > 0 && !has_changed(h)) || !smooth_.is_false_crease(h)) continue;
@@ -52,7 +52,7 @@ class Flipper {
   bool has_changed(SideId h) const {
     const auto at = [&](SideId side) {
       const VertexId v = piece_.mesh.start(side);
-      return changed_.test(v) || changed_before_.test(v);
+      return changed_[v] > round_before_;
     };
     const SideId back = piece_.mesh.opposite(h);
     return at(h) || at(next_side(h)) || at(previous_side(h)) ||
@@ -77,12 +77,27 @@ class Flipper {
     const SideId back = piece_.mesh.opposite(h);
     for (const SideId side : {h, back, previous_side(h), previous_side(back)}) {
       const VertexId v = piece_.mesh.start(side);
-      if (!move_to_smooth(piece_, smooth_, crossing_, v)) continue;
-      changed_.set(v);
-      piece_.mesh.for_each_neighbour(v, [&](VertexId near) { changed_.set(near); });
+      if (stays_in_vain(v)) continue;
+      const VertexMove move = move_to_smooth(piece_, smooth_, crossing_, v);
+      if (move == VertexMove::kNever) moved_in_vain_[v] = time_;
+      if (move != VertexMove::kMade) continue;
+      ++time_;
+      changed_[v] = time_;
+      piece_.mesh.for_each_neighbour(v, [&](VertexId near) { changed_[near] = time_; });
       return true;
     }
     return false;
+  }
+
+  // Tells whether moving the vertex was tried in vain, and would be again: none of its triangles,
+  // or of those beside them, has changed since.
+  bool stays_in_vain(VertexId v) const {
+    const Index tried = moved_in_vain_[v];
+    if (tried == 0 || changed_[v] > tried) return false;
+    bool changed = false;
+    piece_.mesh.for_each_neighbour(
+        v, [&](VertexId near) { changed = changed || changed_[near] > tried; });
+    return !changed;
   }
 
   bool try_flip(SideId h) {
@@ -107,7 +122,8 @@ class Flipper {
     if (piece_.guard->would_meet(places, triangles, crossing_)) return false;
     samples.move(places, places_);
     piece_.mesh.flip(h);
-    for (const VertexId v : {a, b, c, d}) changed_.set(v);
+    ++time_;
+    for (const VertexId v : {a, b, c, d}) changed_[v] = time_;
     for (const TriangleId t : places) piece_.guard->changed(t);
     return true;
   }
@@ -128,8 +144,12 @@ class Flipper {
   SmoothTest smooth_;
   CrossingGuard::Scratch crossing_;
   Samples::Places places_;
-  Marks changed_;         // per vertex: something at it has changed in this round
-  Marks changed_before_;  // the same of the round before
+  // Times are counted by changes.
+  Index time_ = 1;
+  Index round_ = 1;                   // when this round began
+  Index round_before_ = 1;            // when the round before began
+  std::vector<Index> changed_;        // per vertex: when something at it was last changed
+  std::vector<Index> moved_in_vain_;  // per vertex: when moving it was last tried in vain; 0: never
 };
 
 }  // namespace

@@ -77,9 +77,9 @@ bool turns_in_reference(const Workpiece& piece, SideId edge) {
   return std::abs(normals[0].dot(normals[1])) < kSteep;
 }
 
-bool move_to_smooth(Workpiece& piece, SmoothTest& smooth, CrossingGuard::Scratch& crossing,
-                    VertexId v) {
-  if (is_on_line(piece, v)) return false;
+VertexMove move_to_smooth(Workpiece& piece, SmoothTest& smooth, CrossingGuard::Scratch& crossing,
+                          VertexId v) {
+  if (is_on_line(piece, v)) return VertexMove::kNever;
   KeptDistance& kept = *piece.distance;
   const Vec3 place = piece.positions[v];
   CollapseRing ring = ring_at(piece, v, place);
@@ -87,6 +87,9 @@ bool move_to_smooth(Workpiece& piece, SmoothTest& smooth, CrossingGuard::Scratch
   for (const RingTriangle& t : ring.triangles) middle += t.from_point;
   middle /= static_cast<double>(ring.triangles.size());
   const Vec3 centre = on_reference(kept, middle, kept.near[v]);
+  // What is known near the vertex decides between planes that are equally near.
+  const TriangleId near_before = kept.near[v];
+  bool may_meet = false;
   NearFind found;
   for (const Vec3& point :
        {centre, on_reference(kept, place, kept.near[v]), Vec3(0.5 * (place + centre))}) {
@@ -94,13 +97,17 @@ bool move_to_smooth(Workpiece& piece, SmoothTest& smooth, CrossingGuard::Scratch
     if (!smooth.smooths(ring) || !keeps_shape(ring)) continue;
     const bool near = stays_near(piece, ring, found);
     kept.near[v] = found.near;
-    if (!near || piece.guard->would_meet(ring, crossing)) continue;
+    if (!near) continue;
+    if (piece.guard->would_meet(ring, crossing)) {
+      may_meet = true;
+      continue;
+    }
     kept.samples.move(ring, found.places);
     piece.positions[v] = ring.point;
     piece.guard->collapsed(ring);
-    return true;
+    return VertexMove::kMade;
   }
-  return false;
+  return may_meet || kept.near[v] != near_before ? VertexMove::kNotNow : VertexMove::kNever;
 }
 
 }  // namespace kdm
