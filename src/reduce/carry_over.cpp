@@ -6,12 +6,16 @@
 
 #include "geometry/triangle.h"
 #include "mesh/scale.h"
+#include "threads/share_work.h"
 
 namespace kdm {
 namespace {
 
 // How far from a corner, as a part of the way to the triangle's middle, its normal is looked up.
 constexpr double kInside = 0.05;
+// Threads share triangles by so many. Each part begins its search anew, so that what is known of
+// the triangle before decides the same with any number of threads.
+constexpr std::size_t kTrianglesPerPart = 256;
 
 // Returns the barycentric coordinates of the point of the triangle's plane that is nearest to p,
 // cut off at 0.
@@ -66,8 +70,10 @@ void carry_over(const Carrier& carrier, const std::vector<Index>& groups, int ex
   const bool sources = !from.source_faces.empty() || !from.source_operands.empty();
   if (!sources && from.corner_normals.empty()) return;
   const std::vector<Vec3> positions = scaled(to.positions, exponent);
-  Lookup lookup(carrier);
-  for (std::size_t i = 0; i < to.triangles.size(); ++i) {
+  if (!from.source_faces.empty()) to.source_faces.resize(to.triangles.size());
+  if (!from.source_operands.empty()) to.source_operands.resize(to.triangles.size());
+  if (!from.corner_normals.empty()) to.corner_normals.resize(3 * to.triangles.size());
+  const auto look_up = [&](Lookup& lookup, std::size_t i) {
     const Triangle& t = to.triangles[i];
     const Index group = groups.empty() ? kNone : groups[i];
     const std::array<Vec3, 3> c = {positions[t[0]], positions[t[1]], positions[t[2]]};
@@ -75,15 +81,19 @@ void carry_over(const Carrier& carrier, const std::vector<Index>& groups, int ex
     const Vec3 middle = (c[0] + c[1] + c[2]) / 3;
     if (sources) {
       const TriangleId source = lookup.nearest(middle, normal, group);
-      if (!from.source_faces.empty()) to.source_faces.push_back(from.source_faces[source]);
-      if (!from.source_operands.empty()) to.source_operands.push_back(from.source_operands[source]);
+      if (!from.source_faces.empty()) to.source_faces[i] = from.source_faces[source];
+      if (!from.source_operands.empty()) to.source_operands[i] = from.source_operands[source];
     }
-    if (from.corner_normals.empty()) continue;
-    for (const Vec3& corner : c) {
-      to.corner_normals.push_back(
-          lookup.normal_at(corner + kInside * (middle - corner), normal, group));
+    if (from.corner_normals.empty()) return;
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const Vec3 inside = c[corner] + kInside * (middle - c[corner]);
+      to.corner_normals[3 * i + corner] = lookup.normal_at(inside, normal, group);
     }
-  }
+  };
+  share_parts(to.triangles.size(), kTrianglesPerPart, [&](std::size_t begin, std::size_t end) {
+    Lookup lookup(carrier);
+    for (std::size_t i = begin; i < end; ++i) look_up(lookup, i);
+  });
 }
 
 }  // namespace kdm

@@ -7,15 +7,19 @@
 #include <utility>
 #include <vector>
 
+#include "mesh/marks.h"
 #include "reduce/near_test.h"
 #include "reduce/shape.h"
 #include "reduce/smooth_test.h"
 #include "reduce/vertex_moves.h"
+#include "threads/share_work.h"
 
 namespace kdm {
 namespace {
 
 constexpr int kMostRounds = 4;
+// Threads share sides by so many.
+constexpr std::size_t kSidesPerPart = 1024;
 
 class Flipper {
  public:
@@ -155,11 +159,17 @@ class Flipper {
 }  // namespace
 
 void find_crossing_creases(Workpiece& piece) {
-  SmoothTest smooth(piece, piece.distance->creases);
+  const SmoothTest smooth(piece, piece.distance->creases);
+  Marks crossing(3 * std::size_t{piece.mesh.triangles()});
+  share_parts(crossing.size(), kSidesPerPart, [&](std::size_t begin, std::size_t end) {
+    for (SideId h = static_cast<SideId>(begin); h < end; ++h) {
+      crossing.set(
+          h, piece.mesh.is_edge(h) && smooth.is_false_crease(h) && turns_in_reference(piece, h));
+    }
+  });
   std::vector<std::array<Vec3, 2>> segments;
-  for (SideId h = 0; h < 3 * piece.mesh.triangles(); ++h) {
-    if (!piece.mesh.is_edge(h) || !smooth.is_false_crease(h)) continue;
-    if (!turns_in_reference(piece, h)) continue;
+  for (SideId h = 0; h < crossing.size(); ++h) {
+    if (!crossing.test(h)) continue;
     segments.push_back({piece.positions[piece.mesh.start(h)], piece.positions[piece.mesh.end(h)]});
   }
   piece.distance->creases.add(segments);

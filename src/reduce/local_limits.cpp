@@ -7,6 +7,7 @@
 
 #include "geometry/distance.h"
 #include "geometry/triangle.h"
+#include "threads/share_work.h"
 
 namespace kdm {
 namespace {
@@ -25,6 +26,8 @@ constexpr double kAcross = -0.3;
 constexpr double kSlack = 4;
 // A line that passes a triangle nearer than this part of the error hits it.
 constexpr double kBeside = 0.1;
+// Threads share vertices by so many.
+constexpr std::size_t kVerticesPerPart = 512;
 
 // The walls across from a vertex.
 struct Walls {
@@ -99,16 +102,19 @@ LocalLimits local_limits(const ScaledMesh& mesh, const Reference& surface,
   LocalLimits limits{std::vector<double>(mesh.positions.size(), error),
                      Marks(mesh.positions.size())};
   const WallSearch search(mesh, surface, error);
-  for (Index v = 0; v < mesh.positions.size(); ++v) {
+  const auto look = [&](VertexId v) {
     const Walls walls = search.at(v);
     if (walls.narrow) limits.narrow.set(v);
     const double share = walls.thickness / kShares;
-    if (share >= error) continue;
+    if (share >= error) return;
     const TriangleId nearest = reference.nearest(mesh.positions[v], error, near[v]);
-    if (nearest == kNone) continue;
+    if (nearest == kNone) return;
     const double off = std::sqrt(reference.squared_distance(nearest, mesh.positions[v]));
     limits.distance[v] = std::max(share, std::min(error / kShares, kSlack * off));
-  }
+  };
+  share_parts(mesh.positions.size(), kVerticesPerPart, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) look(static_cast<VertexId>(v));
+  });
   return limits;
 }
 

@@ -23,6 +23,7 @@
 #include "reduce/pass.h"
 #include "reduce/scaled_mesh.h"
 #include "text/compose.h"
+#include "threads/share_work.h"
 
 namespace kdm {
 namespace {
@@ -179,15 +180,16 @@ ReducedMesh reduce(const Mesh& mesh, const Mesh& reference, const ReduceOptions&
     const double error = std::ldexp(options.error, -exponent);
     std::vector<TriangleId> near;
     kept.emplace(reference_for(from, to, error, near));
-    Samples samples = samples_of(from, surface, to, *kept, near, error);
+    std::optional<Samples> samples;
+    std::optional<TrueCreases> creases;
+    share_parts(2, 1, [&](std::size_t task, std::size_t) {
+      if (task == 0) samples = samples_of(from, surface, to, *kept, near, error);
+      if (task == 1) creases.emplace(*kept, kCreaseReach * diagonal_of(to.positions));
+    });
     LocalLimits limits = local_limits(from, surface, *kept, near, error);
     watched = std::move(limits.narrow);
-    distance.emplace(KeptDistance{&*kept,
-                                  std::move(samples),
-                                  error,
-                                  std::move(limits.distance),
-                                  std::move(near),
-                                  {*kept, kCreaseReach * diagonal_of(to.positions)}});
+    distance.emplace(KeptDistance{&*kept, std::move(*samples), error, std::move(limits.distance),
+                                  std::move(near), std::move(*creases)});
   }
   std::vector<Index> targets = options.target_triangles;
   if (targets.empty()) targets = {0};

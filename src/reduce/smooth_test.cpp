@@ -82,7 +82,7 @@ bool SmoothTest::smooths(const CollapseRing& ring) {
   return false_creases(after_) < false_creases(before_);
 }
 
-bool SmoothTest::is_false_crease(SideId h) {
+bool SmoothTest::is_false_crease(SideId h) const {
   const HalfEdges& mesh = piece_.mesh;
   const SideId back = mesh.opposite(h);
   if (back == kNone || normal_of(triangle_of(h)).dot(normal_of(triangle_of(back))) >= kSmooth) {

@@ -23,7 +23,7 @@ class SmoothTest {
 
   /// Tells whether the two triangles beside the edge turn by more than 30 degrees against each
   /// other where no edge of the reference turns by more than 15.
-  bool is_false_crease(SideId h);
+  bool is_false_crease(SideId h) const;
 
   /// Tells whether the worst of the five edges of the two triangles beside the edge turns less if
   /// the edge is flipped.

@@ -4,6 +4,7 @@
 // number of threads.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 
@@ -27,6 +28,21 @@ void share_work(std::size_t tasks, int threads,
 /// equal size, numbered from 0. The first number of the part after the last is `count`.
 inline std::size_t begin_of_part(std::size_t count, std::size_t part, std::size_t parts) {
   return count / parts * part + count % parts * part / parts;
+}
+
+/// Calls `work(begin, end)` for parts of `count` things, `size` each but for the last, on several
+/// threads. The parts are the same with any number of threads.
+template <typename Work>
+void share_parts(std::size_t count, std::size_t size, const Work& work) {
+  const auto do_part = [&](std::size_t part, int) {
+    work(part * size, std::min(count, (part + 1) * size));
+  };
+  const std::size_t parts = (count + size - 1) / size;
+  if constexpr (kHasThreads) {
+    share_work(parts, workers(), do_part);
+  } else {
+    for (std::size_t part = 0; part < parts; ++part) do_part(part, 0);
+  }
 }
 
 }  // namespace kdm

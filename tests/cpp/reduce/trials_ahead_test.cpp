@@ -30,6 +30,19 @@ std::vector<Index> in_quarters(const Mesh& mesh) {
   return groups;
 }
 
+// Each face its own source, and the normals of a ball.
+Mesh with_sources(Mesh ball) {
+  for (Index t = 0; t < ball.triangles.size(); ++t) {
+    ball.source_faces.push_back(t);
+    ball.source_operands.push_back(t % 3);
+    for (const Index corner : ball.triangles[t]) {
+      const Eigen::Vector3f normal = ball.positions[corner].normalized().cast<float>();
+      ball.corner_normals.push_back({normal[0], normal[1], normal[2]});
+    }
+  }
+  return ball;
+}
+
 // All have more than 5,000 triangles, so that five threads work.
 std::vector<SharedCase> shared_cases() {
   const Mesh ball = shapes::icosphere(4);
@@ -45,6 +58,7 @@ std::vector<SharedCase> shared_cases() {
           {"narrow gap", gap, {.error = 0.03}},
           {"sheet with a rim", sheet, {.error = 0.002}},
           {"sheet with groups", sheet, {.error = 0.002, .keep_groups = in_quarters(sheet)}},
+          {"ball with sources", with_sources(ball), {.error = 0.01}},
           {"ball with groups", ball, {.error = 0.01, .keep_groups = in_quarters(ball)}},
           {"ball by number alone", ball, {.target_triangles = {2000, 100}}}};
 }
@@ -63,6 +77,9 @@ TEST(TrialsAhead, ChangeNothing) {
       const ReducedMesh shared = reduced_by(threads, one);
       EXPECT_EQ(alone.positions, shared.positions);
       EXPECT_EQ(alone.triangles, shared.triangles);
+      EXPECT_EQ(alone.source_faces, shared.source_faces);
+      EXPECT_EQ(alone.source_operands, shared.source_operands);
+      EXPECT_EQ(alone.corner_normals, shared.corner_normals);
       EXPECT_EQ(alone.report.flips, shared.report.flips);
       EXPECT_EQ(alone.report.collapses, shared.report.collapses);
       ASSERT_EQ(alone.levels.size(), shared.levels.size());

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <string>
@@ -137,6 +138,20 @@ TEST(ShareWork, DividesIntoPartsOfAboutEqualSize) {
         EXPECT_GE(size, count / parts);
         EXPECT_LE(size, count / parts + 1);
       }
+    }
+  }
+}
+
+TEST(ShareParts, AreTheSameWithAnyNumberOfThreads) {
+  for (const int threads : {1, 2, 8}) {
+    const ThreadCount set(threads);
+    for (const std::size_t count : {0, 1, 9, 10, 11, 1000}) {
+      std::vector<std::atomic<int>> done(count);
+      share_parts(count, 10, [&](std::size_t begin, std::size_t end) {
+        if (begin % 10 != 0 || end != std::min(begin + 10, count)) return;
+        for (std::size_t i = begin; i < end; ++i) ++done[i];
+      });
+      for (const std::atomic<int>& times : done) ASSERT_EQ(times, 1) << count;
     }
   }
 }
