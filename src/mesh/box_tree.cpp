@@ -4,12 +4,14 @@
 #include "mesh/box_tree.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
 
 #include "mesh/boxes.h"
+#include "mesh/curve.h"
 #include "mesh/sort.h"
 
 namespace kdm {
@@ -20,14 +22,6 @@ std::vector<Vec3> centres_of(const std::vector<Box>& boxes) {
   centres.reserve(boxes.size());
   for (const Box& box : boxes) centres.push_back(0.5 * (box.min + box.max));
   return centres;
-}
-
-// Spreads the lowest ten bits so that two zeros follow each.
-std::uint32_t spread(std::uint32_t bits) {
-  bits = (bits | bits << 16) & 0x030000ffu;
-  bits = (bits | bits << 8) & 0x0300f00fu;
-  bits = (bits | bits << 4) & 0x030c30c3u;
-  return (bits | bits << 2) & 0x09249249u;
 }
 
 // Returns a code for each point, in their order along a space-filling curve. The upper half of a
@@ -46,12 +40,11 @@ std::vector<std::uint64_t> sort_along_curve(const std::vector<Vec3>& points) {
   std::vector<std::uint64_t> codes;
   codes.reserve(points.size());
   for (Index i = 0; i < points.size(); ++i) {
-    std::uint32_t code = 0;
+    std::array<std::uint32_t, 3> cell{};
     for (int axis = 0; axis < 3; ++axis) {
-      const double place = (points[i][axis] - all.min[axis]) * scale[axis];
-      code |= spread(static_cast<std::uint32_t>(place)) << axis;
+      cell[axis] = static_cast<std::uint32_t>((points[i][axis] - all.min[axis]) * scale[axis]);
     }
-    codes.push_back(std::uint64_t{code} << 32 | i);
+    codes.push_back(std::uint64_t{place_on_curve(cell)} << 32 | i);
   }
   sort_numbers(std::span(codes));
   return codes;

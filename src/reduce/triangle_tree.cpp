@@ -6,18 +6,11 @@
 #include <bit>
 #include <cmath>
 
+#include "mesh/curve.h"
 #include "mesh/sort.h"
 
 namespace kdm {
 namespace {
-
-// Spreads the lowest ten bits so that two zeros follow each.
-std::uint32_t spread(std::uint32_t bits) {
-  bits = (bits | bits << 16) & 0x030000ffu;
-  bits = (bits | bits << 8) & 0x0300f00fu;
-  bits = (bits | bits << 4) & 0x030c30c3u;
-  return (bits | bits << 2) & 0x09249249u;
-}
 
 // Returns the triangles in the order of their boxes' centres on a space-filling curve, without
 // those whose box is empty.
@@ -36,12 +29,12 @@ std::vector<std::uint64_t> along_curve(const std::vector<SmallBox>& boxes) {
   for (TriangleId t = 0; t < boxes.size(); ++t) {
     const SmallBox& box = boxes[t];
     if (box.min[0] > box.max[0]) continue;
-    std::uint32_t code = 0;
+    std::array<std::uint32_t, 3> cell{};
     for (int axis = 0; axis < 3; ++axis) {
       const float twice = box.min[axis] - all.min[axis] + (box.max[axis] - all.min[axis]);
-      code |= spread(static_cast<std::uint32_t>(twice * scale[axis])) << axis;
+      cell[axis] = static_cast<std::uint32_t>(twice * scale[axis]);
     }
-    codes.push_back(std::uint64_t{code} << 32 | t);
+    codes.push_back(std::uint64_t{place_on_curve(cell)} << 32 | t);
   }
   sort_numbers(std::span(codes));
   return codes;
