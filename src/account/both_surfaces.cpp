@@ -14,7 +14,6 @@ namespace {
 
 // A surface stays within its tolerance but at creases and where it is thin.
 constexpr double kTolerances = 4;
-constexpr double kFarTolerances = 2;
 
 void take_triangles(const Mesh& mesh, TriangleSet& to) {
   Polygons(mesh).for_each_triangle([&](Index face, const Triangle& t) {
@@ -39,13 +38,9 @@ BothSurfaces::BothSurfaces(const Mesh& mesh, const GridData& grid, const Mesh& o
   input.positions = std::move(scaled_input.positions);
   result.positions = scaled(out.positions, -exponent);
   const double step = grid.lattice.step;
-  const auto beyond = [&](double tolerances) {
-    return (std::max(tolerances * grid.tolerance * step, 2 * grid.input.sewing_distance) +
-            grid.simplified + grid.thickness) /
-           unit;
-  };
-  reach = beyond(kTolerances);
-  if (grid.tolerance > 0) far = beyond(kFarTolerances);
+  reach = (std::max(kTolerances * grid.tolerance * step, 2 * grid.input.sewing_distance) +
+           grid.simplified + grid.thickness) /
+          unit;
   told_apart = input_tells() ? reach / kTolerances : reach;
   leave_out_flat();
   match();

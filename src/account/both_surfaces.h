@@ -19,7 +19,6 @@ class BothSurfaces {
   double input_area = 0;
   double unit = 1;        ///< length of a scaled unit in model units
   double reach = 0;       ///< what is further from the result is missing from it; scaled
-  double far = 0;         ///< what is further apart is warned of; 0: there is no tolerance; scaled
   double told_apart = 0;  ///< from so far on it can be told what lies within the solid; scaled
 
   /// Return a triangle of the other surface that may be near one of the input, of the result, or

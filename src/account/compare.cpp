@@ -2,7 +2,6 @@
 // Holds a result against its input.
 #include "kdmanifold/account.h"
 
-#include <algorithm>
 #include <new>
 
 #include "account/lost_area.h"
@@ -26,14 +25,6 @@ void warn(const LostArea& lost, std::vector<Warning>& warnings) {
                             lost.parts == 1 ? "piece" : "pieces", rounded(lost.largest))});
 }
 
-void warn(const MeshError& error, const BothSurfaces& both, std::vector<Warning>& warnings) {
-  const double largest = std::max(error.to_input.largest, error.to_output.largest);
-  if (both.far == 0 || largest <= both.far * both.unit) return;
-  warnings.push_back({"FAR_FROM_INPUT", compose("the result and the input are up to {} apart, more "
-                                                "than twice the tolerance",
-                                                rounded(largest))});
-}
-
 }  // namespace
 
 Account compare(const Mesh& input, const Grid& grid, const Mesh& result,
@@ -42,10 +33,7 @@ Account compare(const Mesh& input, const Grid& grid, const Mesh& result,
   Account account;
   account.lost = find_lost_area(both);
   warn(account.lost, account.warnings);
-  if (options.error) {
-    account.error = measure_error(both);
-    warn(*account.error, both, account.warnings);
-  }
+  if (options.error) account.error = measure_error(both);
   return account;
 } catch (const std::bad_alloc&) {
   throw Error(ErrorCode::kOutOfMemory, "there is not enough memory to compare the surfaces");

@@ -129,7 +129,6 @@ export interface Warning {
     | 'FACETS_MISCOUNTED'
     | 'NOT_READ'
     | 'AREA_LOST'
-    | 'FAR_FROM_INPUT'
     | 'PARTS_LOST'
     | 'PARTS_DROPPED'
     | 'CAVITIES_FILLED'
@@ -204,10 +203,7 @@ export interface Account {
   lost: LostArea;
   /** How far the two are apart; null unless it was asked for. */
   error: MeshError | null;
-  /**
-   * `AREA_LOST`, if more than a thousandth of the input's area is lost; `FAR_FROM_INPUT`, if the error was measured and
-   * is more than two tolerances of the grid.
-   */
+  /** `AREA_LOST`, if more than a thousandth of the input's area is lost. */
   warnings: Warning[];
 }
 

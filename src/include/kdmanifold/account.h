@@ -29,8 +29,6 @@ struct Account {
   LostArea lost;
   std::optional<MeshError> error;  ///< if it was asked for
   /// `AREA_LOST`, if more than a thousandth of the input's area is lost; graver than all others.
-  /// `FAR_FROM_INPUT`, if the error was measured and is more than two tolerances of the grid, or
-  /// twice the distance of sewing, besides what simplifying and `thicken` may do.
   std::vector<Warning> warnings;
 };
 

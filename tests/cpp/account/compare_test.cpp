@@ -268,23 +268,6 @@ TEST(Compare, WarnsOfMoreThanASmallShare) {
             "an area of 6");
 }
 
-// What is further off than was promised is said where it was measured, though nothing is lost.
-TEST(Compare, WarnsOfWhatIsFurtherOffThanTheTolerance) {
-  const Mesh cube = shapes::cube();
-  const Grid grid = build_grid(cube, {.tolerance = 0.01});
-  const auto warnings = [&](double off, bool measured) {
-    return compare(cube, grid, shapes::translated(cube, Vec3(off, 0, 0)), {.error = measured})
-        .warnings;
-  };
-  EXPECT_TRUE(warnings(0.019, true).empty());
-  EXPECT_TRUE(warnings(0.03, false).empty());
-  const std::vector<Warning> far = warnings(0.03, true);
-  ASSERT_EQ(far.size(), 1u);
-  EXPECT_EQ(far[0].code, "FAR_FROM_INPUT");
-  EXPECT_EQ(far[0].message,
-            "the result and the input are up to 0.03 apart, more than twice the tolerance");
-}
-
 // A sheet within the solid was left out rightly; what else is lost is told all the same.
 TEST(Compare, SheetsThatWereLeftOutHideNoOtherLoss) {
   const Mesh cube = shapes::cube();
