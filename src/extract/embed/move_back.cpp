@@ -32,16 +32,18 @@ bool put(Index number, std::array<Index, 2>& two) {
   return false;
 }
 
-// Returns nothing for vertices that are not those of links, or if loops were joined.
+// Returns nothing for vertices that are not those of links, or if loops were joined. A link leads
+// between its loops from one of its hits to the other.
 std::optional<LinkPlace> place_of(const GridView& view, VertexId loops, const DualMesh& mesh,
                                   VertexId v) {
   std::array<Index, 2> its_loops{kNone, kNone};
   std::array<Index, 2> hits{kNone, kNone};
   for (const HalfEdgeId h : mesh.ring(v)) {
-    if (!put(mesh.hit[h / 3], hits)) return std::nullopt;
-    for (HalfEdgeId corner = h - h % 3; corner < h - h % 3 + 3; ++corner) {
-      if (mesh.vertex[corner] < loops && !put(mesh.vertex[corner], its_loops)) return std::nullopt;
-    }
+    const HitId hit = mesh.hit[h / 3];
+    if (!put(hit, hits)) return std::nullopt;
+    const HalfEdgeId opposite = mesh.opposite[h];
+    if (opposite == kNone || mesh.hit[opposite / 3] == hit) continue;
+    if (mesh.end_vertex(h) >= loops || !put(mesh.end_vertex(h), its_loops)) return std::nullopt;
   }
   if (its_loops[1] == kNone || hits[1] == kNone) return std::nullopt;
   const auto face =

@@ -6,6 +6,7 @@
 
 #include "extract/place/place.h"
 #include "extract/place/refine.h"
+#include "kdmanifold/account.h"
 #include "kdmanifold/build.h"
 #include "kdmanifold/error.h"
 #include "kdmanifold/extract.h"
@@ -165,6 +166,18 @@ TEST(Embed, LinksApartKeepEachTriangleInItsLeaf) {
       }
     }
   }
+}
+
+// To keep clear of others, vertices of links go amid their hits, and back to the crease where
+// nothing crosses for that, though one of the two hits may not have been divided.
+TEST(Embed, LinksGoBackToTheirCreases) {
+  const Mesh mesh = shapes::turned(shapes::random_voxels(4, 0.4, 15));
+  const Grid grid = build_grid(mesh, {.relative_tolerance = 0.005});
+  const ExtractedMesh out = extract(grid, kEmbedded);
+  EXPECT_GT(out.report.refined_hits, 0u);
+  const MeshError error = *compare(mesh, grid, out, {.error = true}).error;
+  EXPECT_LT(error.to_input.largest, 1.5 * grid.stats().tolerance);
+  EXPECT_LT(error.to_output.largest, 1.5 * grid.stats().tolerance);
 }
 
 }  // namespace
