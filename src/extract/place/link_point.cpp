@@ -11,9 +11,9 @@ namespace {
 
 // Planes whose normals turn by more than 45 degrees make a sharp edge.
 constexpr double kSharpCosine = 0.7071067811865476;
-// A hit so near to a plane lies on it: corners of the input are rounded to the lattice. In lattice
-// units.
-constexpr double kOnPlane = 4;
+// A hit so near to a plane lies on it, in lattice units: corners of the input are rounded to the
+// lattice, so planes that coincided come to be twice the root of 3/4 apart.
+constexpr double kOnPlane = 2;
 
 bool contains(const LinkFace& face, const Vec3& p) {
   return (p.array() >= face.lo.array()).all() && (p.array() <= face.hi.array()).all();
