@@ -6,6 +6,7 @@
 #include "prepare/twins.h"
 
 namespace kdm {
+
 Marks find_opposite_pairs(std::span<const Triangle> triangles, Index points,
                           const Topology& topology) {
   const std::vector<TriangleId> candidates = find_possible_twins(topology);

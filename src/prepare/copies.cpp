@@ -8,6 +8,7 @@
 #include "prepare/twins.h"
 
 namespace kdm {
+
 Marks find_copies(std::span<const Triangle> triangles, Index points, const Topology& topology,
                   bool two_cancel) {
   Marks further(triangles.size());

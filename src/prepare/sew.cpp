@@ -88,14 +88,10 @@ class MatchFinder {
 
   // Returns for each side what `nearest` finds.
   std::vector<Match> matches() const {
-    constexpr std::size_t kSidesPerTask = 256;
+    constexpr std::size_t kSidesPerPart = 256;
     std::vector<Match> found(rims_.size());
-    const std::size_t tasks = rims_.size() / kSidesPerTask + 1;
-    share_work(tasks, workers(), [&](std::size_t task, int) {
-      const std::size_t end = begin_of_part(rims_.size(), task + 1, tasks);
-      for (std::size_t i = begin_of_part(rims_.size(), task, tasks); i < end; ++i) {
-        found[i] = nearest(static_cast<Index>(i));
-      }
+    share_parts(rims_.size(), kSidesPerPart, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) found[i] = nearest(static_cast<Index>(i));
     });
     return found;
   }
