@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/small_box.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace kdm {
@@ -13,13 +14,15 @@ constexpr double kLeast = 0x1p-140;
 
 double rounding_of(double value) { return kFloatRounding * std::abs(value) + kLeast; }
 
+float below(double value) { return static_cast<float>(value - rounding_of(value)); }
+float above(double value) { return static_cast<float>(value + rounding_of(value)); }
+
 }  // namespace
 
 void SmallBox::grow(const Vec3& p) {
   for (int axis = 0; axis < 3; ++axis) {
-    const double rounding = rounding_of(p[axis]);
-    min[axis] = std::min(min[axis], static_cast<float>(p[axis] - rounding));
-    max[axis] = std::max(max[axis], static_cast<float>(p[axis] + rounding));
+    min[axis] = std::min(min[axis], below(p[axis]));
+    max[axis] = std::max(max[axis], above(p[axis]));
   }
 }
 
@@ -32,16 +35,19 @@ void SmallBox::grow(const SmallBox& other) {
 
 SmallBox small_box(const Vec3& a, const Vec3& b, const Vec3& c) {
   SmallBox box;
-  box.grow(a);
-  box.grow(b);
-  box.grow(c);
+  for (int axis = 0; axis < 3; ++axis) {
+    box.min[axis] = below(std::min({a[axis], b[axis], c[axis]}));
+    box.max[axis] = above(std::max({a[axis], b[axis], c[axis]}));
+  }
   return box;
 }
 
 SmallBox small_box(const Vec3& centre, double radius) {
   SmallBox box;
-  box.grow(Vec3(centre.array() - radius));
-  box.grow(Vec3(centre.array() + radius));
+  for (int axis = 0; axis < 3; ++axis) {
+    box.min[axis] = below(centre[axis] - radius);
+    box.max[axis] = above(centre[axis] + radius);
+  }
   return box;
 }
 

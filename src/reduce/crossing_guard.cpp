@@ -116,7 +116,7 @@ bool CrossingGuard::planned_meet(const Scratch& scratch, bool simple_inside, Tri
   }
   return tree_.any_meeting(all, beside, [&](TriangleId other) {
     if (scratch.replaced_.test(other)) return false;
-    const SmallBox& box = tree_.box(other);
+    const SmallBox box = tree_.box(other);
     const Triangle corners = mesh_.corners(other);
     for (const Planned& t : planned) {
       if (t.box.meets(box) && !scratch.surely_apart(t, corners) && meets(t, other)) return true;

@@ -3,7 +3,6 @@
 #include "reduce/triangle_tree.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 #include "mesh/curve.h"
@@ -42,43 +41,50 @@ std::vector<std::uint64_t> along_curve(const std::vector<SmallBox>& boxes) {
 
 }  // namespace
 
-TriangleTree::TriangleTree(std::vector<SmallBox> boxes) : boxes_(std::move(boxes)) {
-  const std::vector<std::uint64_t> codes = along_curve(boxes_);
+TriangleTree::TriangleTree(const std::vector<SmallBox>& boxes) {
+  const std::vector<std::uint64_t> codes = along_curve(boxes);
   if (codes.empty()) return;
-  leaves_ = std::bit_ceil(static_cast<Index>((codes.size() + kLeafSize - 1) / kLeafSize));
-  order_.assign(std::size_t{leaves_} * kLeafSize, kNone);
-  place_.assign(boxes_.size(), kNone);
-  for (std::size_t i = 0; i < codes.size(); ++i) {
-    order_[i] = static_cast<TriangleId>(codes[i] & 0xffffffffu);
-    place_[order_[i]] = static_cast<Index>(i);
+  order_.reserve(codes.size());
+  place_.assign(boxes.size(), kNone);
+  for (const std::uint64_t code : codes) {
+    const auto t = static_cast<TriangleId>(code & 0xffffffffu);
+    place_[t] = static_cast<Index>(order_.size());
+    order_.push_back(t);
   }
-  nodes_.resize(std::size_t{leaves_} * 2);
-  for (Index leaf = 0; leaf < leaves_; ++leaf) nodes_[leaves_ + leaf] = leaf_box(leaf);
-  for (Index node = leaves_ - 1; node > 0; --node) {
-    nodes_[node] = nodes_[2 * node];
-    nodes_[node].grow(nodes_[2 * node + 1]);
-  }
-}
-
-SmallBox TriangleTree::leaf_box(Index leaf) const {
-  SmallBox box;
-  for (Index i = leaf * kLeafSize; i < (leaf + 1) * kLeafSize; ++i) {
-    if (order_[i] != kNone) box.grow(boxes_[order_[i]]);
-  }
-  return box;
+  std::vector<SmallBox> children;
+  children.reserve(order_.size());
+  for (const TriangleId t : order_) children.push_back(boxes[t]);
+  do {
+    levels_.push_back(static_cast<Index>(nodes_.size()));
+    const std::size_t count = children.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      if (i % kChildren == 0) nodes_.emplace_back();
+      nodes_.back().set(child_of(static_cast<Index>(i)), children[i]);
+    }
+    children.clear();
+    for (std::size_t i = levels_.back(); i < nodes_.size(); ++i) {
+      children.push_back(nodes_[i].around());
+    }
+  } while (children.size() > 1);
 }
 
 void TriangleTree::change(TriangleId t, const SmallBox& box) {
-  boxes_[t] = box;
-  const Index leaf = place_[t] / kLeafSize;
-  Index node = leaves_ + leaf;
-  SmallBox around = leaf_box(leaf);
-  while (!(around == nodes_[node])) {
-    nodes_[node] = around;
-    if (node == 1) return;
-    around.grow(nodes_[node ^ 1]);
-    node /= 2;
+  Index number = place_[t];
+  SmallBox changed = box;
+  for (const Index level : levels_) {
+    FourBoxes& node = nodes_[level + number / kChildren];
+    if (node[child_of(number)] == changed) return;
+    node.set(child_of(number), changed);
+    changed = node.around();
+    number /= kChildren;
   }
+}
+
+void TriangleTree::rebuild() {
+  std::vector<SmallBox> boxes;
+  boxes.reserve(place_.size());
+  for (TriangleId t = 0; t < place_.size(); ++t) boxes.push_back(box(t));
+  *this = TriangleTree(boxes);
 }
 
 }  // namespace kdm

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
-// A tree of boxes over triangles that come and go: a complete binary tree over leaves of four
-// triangles each, in the order of a space-filling curve. `BoxTree` of room `mesh` is for boxes that
-// stay what they are.
+// A tree of boxes over triangles that come and go: four children to a node, in the order of a
+// space-filling curve. `BoxTree` of room `mesh` is for boxes that stay what they are.
 #pragma once
 
 #include <array>
+#include <bit>
+#include <limits>
 #include <utility>
 #include <vector>
 
+#include "mesh/four_boxes.h"
 #include "mesh/numbers.h"
-#include "mesh/small_box.h"
 
 namespace kdm {
 
@@ -18,7 +19,7 @@ class TriangleTree {
  public:
   TriangleTree() = default;
   /// `boxes` has a box for each triangle; empty ones take no part.
-  explicit TriangleTree(std::vector<SmallBox> boxes);
+  explicit TriangleTree(const std::vector<SmallBox>& boxes);
 
   /// Calls `test(t)` for triangles whose boxes meet the box until it returns true, and returns
   /// whether it did. Begins beside the triangle `hint` (kNone: anywhere), which makes it quick if
@@ -26,10 +27,13 @@ class TriangleTree {
   template <typename Test>
   bool any_meeting(const SmallBox& box, TriangleId hint, const Test& test) const {
     if (nodes_.empty()) return false;
-    Index node = first_node(hint);
-    if (any_below(node, box, test)) return true;
-    for (; node > 1; node /= 2) {
-      if (any_below(node ^ 1, box, test)) return true;
+    const FourBoxes::Same same(box);
+    Place at = first_place(hint);
+    if (any_below(at, node(at).meeting(same), same, test)) return true;
+    while (!is_root(at)) {
+      const unsigned behind = 1u << at.number % kChildren;
+      at = parent(at);
+      if (any_below(at, node(at).meeting(same) & ~behind, same, test)) return true;
     }
     return false;
   }
@@ -42,12 +46,15 @@ class TriangleTree {
   template <typename Distance>
   TriangleId nearest(const Vec3& p, double bound, double enough, TriangleId hint,
                      const Distance& squared_distance) const {
-    Nearest<Distance> search{p, bound, enough, kNone, squared_distance};
     if (nodes_.empty()) return kNone;
-    Index node = first_node(hint);
-    if (nodes_[node].squared_distance(p) <= bound) look_below(node, search);
-    for (; node > 1 && !search.done(); node /= 2) {
-      if (nodes_[node ^ 1].squared_distance(p) <= search.bound) look_below(node ^ 1, search);
+    Nearest<Distance> search{FourBoxes::Same(small_box(p, 0)), bound, enough, kNone,
+                             squared_distance};
+    Place at = first_place(hint);
+    look_below(at, kNone, search);
+    while (!is_root(at) && !search.done()) {
+      const Index behind = at.number % kChildren;
+      at = parent(at);
+      look_below(at, behind, search);
     }
     return search.best;
   }
@@ -55,105 +62,118 @@ class TriangleTree {
   /// Gives a triangle another box; `SmallBox{}` takes it out.
   void change(TriangleId t, const SmallBox& box);
   /// Builds the tree anew, without the triangles that were taken out.
-  void rebuild() { *this = TriangleTree(std::move(boxes_)); }
+  void rebuild();
 
-  const SmallBox& box(TriangleId t) const { return boxes_[t]; }
+  SmallBox box(TriangleId t) const {
+    const Index place = place_[t];
+    return place == kNone ? SmallBox{} : nodes_[place / kChildren][child_of(place)];
+  }
 
  private:
-  static constexpr Index kLeafSize = 4;
+  static constexpr Index kChildren = 4;
+  static constexpr std::size_t kMostLevels = 16;
+  static constexpr std::size_t kMostWaiting = kMostLevels * kChildren;
+
+  static constexpr float kNowhere = std::numeric_limits<float>::infinity();  // of empty boxes
+  static constexpr double kSurely = 1 - 1e-6;  // makes up for rounding
+
+  // Where a node is. Level 0 has the boxes of triangles, the last level is the root.
+  struct Place {
+    Index level;
+    Index number;  // within the level
+  };
 
   // The state of a search for what is nearest.
   template <typename Distance>
   struct Nearest {
-    const Vec3& p;
+    FourBoxes::Same point;
     double bound;
     double enough;
     TriangleId best;
     const Distance& squared_distance;
 
     bool done() const { return best != kNone && bound <= enough; }
+    // Tells whether something may be near enough in a box at a squared distance that is rounded.
+    bool reaches(float gap) const { return gap < kNowhere && kSurely * gap <= bound; }
   };
 
-  // Returns the leaf of a triangle, or the root.
-  Index first_node(TriangleId hint) const {
-    return hint == kNone || place_[hint] == kNone ? 1 : leaves_ + place_[hint] / kLeafSize;
+  static int child_of(Index number) { return static_cast<int>(number % kChildren); }
+  static Place parent(const Place& at) { return {at.level + 1, at.number / kChildren}; }
+  bool is_root(const Place& at) const { return at.level + 1 == levels_.size(); }
+  const FourBoxes& node(const Place& at) const { return nodes_[levels_[at.level] + at.number]; }
+  // Returns the node with the triangle's box, or the root.
+  Place first_place(TriangleId hint) const {
+    if (hint == kNone || place_[hint] == kNone) return {static_cast<Index>(levels_.size() - 1), 0};
+    return {0, place_[hint] / kChildren};
   }
 
+  // Looks at some children of a node.
   template <typename Test>
-  bool any_below(Index top, const SmallBox& box, const Test& test) const {
-    if (!nodes_[top].meets(box)) return false;
-    std::array<Index, 64> stack;
-    int size = 0;
-    stack[size++] = top;
-    while (size > 0) {
-      const Index node = stack[--size];
-      if (node < leaves_) {
-        if (nodes_[2 * node + 1].meets(box)) stack[size++] = 2 * node + 1;
-        if (nodes_[2 * node].meets(box)) stack[size++] = 2 * node;
-        continue;
+  bool any_below(Place at, FourBoxes::Bits children, const FourBoxes::Same& box,
+                 const Test& test) const {
+    std::array<Place, kMostWaiting> waiting;
+    std::size_t size = 0;
+    while (true) {
+      for (; children != 0; children &= children - 1) {
+        const Index number = kChildren * at.number + static_cast<Index>(std::countr_zero(children));
+        if (at.level > 0) {
+          waiting[size++] = {at.level - 1, number};
+        } else if (test(order_[number])) {
+          return true;
+        }
       }
-      const std::size_t first = std::size_t{node - leaves_} * kLeafSize;
-      for (std::size_t i = first; i < first + kLeafSize; ++i) {
-        const TriangleId t = order_[i];
-        if (t == kNone) break;
-        if (boxes_[t].meets(box) && test(t)) return true;
-      }
+      if (size == 0) return false;
+      at = waiting[--size];
+      children = node(at).meeting(box);
     }
-    return false;
   }
 
+  // Looks at the children of a node but for one (kNone: at all).
   template <typename Distance>
-  void look_below(Index top, Nearest<Distance>& search) const {
-    std::array<Index, 64> stack;
-    std::array<double, 64> distance;
-    int size = 0;
-    for (Index node = top;;) {
-      while (node < leaves_) {
-        Index near = 2 * node;
-        Index far = near + 1;
-        double to_near = nodes_[near].squared_distance(search.p);
-        double to_far = nodes_[far].squared_distance(search.p);
-        if (to_far < to_near) {
-          std::swap(near, far);
-          std::swap(to_near, to_far);
+  void look_below(Place at, Index behind, Nearest<Distance>& search) const {
+    std::array<Place, kMostWaiting> waiting;
+    std::array<float, kMostWaiting> gap;
+    std::size_t size = 0;
+    while (true) {
+      const std::array<float, kChildren> gaps = node(at).squared_gaps(search.point);
+      const std::size_t before = size;
+      for (Index child = 0; child < kChildren; ++child) {
+        if (child == behind || !search.reaches(gaps[child])) continue;
+        const Index number = kChildren * at.number + child;
+        if (at.level == 0) {
+          look_at(order_[number], search);
+          if (search.done()) return;
+          continue;
         }
-        if (to_far <= search.bound) {
-          distance[size] = to_far;
-          stack[size++] = far;
+        // The nearest is looked at first.
+        std::size_t i = size++;
+        for (; i > before && gap[i - 1] < gaps[child]; --i) {
+          gap[i] = gap[i - 1];
+          waiting[i] = waiting[i - 1];
         }
-        if (to_near > search.bound) break;
-        node = near;
+        gap[i] = gaps[child];
+        waiting[i] = {at.level - 1, number};
       }
-      if (node >= leaves_) look_at_leaf(node - leaves_, search);
-      if (search.done()) return;
+      behind = kNone;
       do {
         if (size == 0) return;
-        node = stack[--size];
-      } while (distance[size] > search.bound);
+        at = waiting[--size];
+      } while (!search.reaches(gap[size]));
     }
   }
 
   template <typename Distance>
-  void look_at_leaf(Index leaf, Nearest<Distance>& search) const {
-    for (Index i = leaf * kLeafSize; i < (leaf + 1) * kLeafSize; ++i) {
-      const TriangleId t = order_[i];
-      if (t == kNone) return;
-      if (boxes_[t].squared_distance(search.p) > search.bound) continue;
-      const double distance = search.squared_distance(t);
-      if (distance > search.bound || (distance == search.bound && search.best != kNone)) continue;
-      search.bound = distance;
-      search.best = t;
-      if (search.done()) return;
-    }
+  void look_at(TriangleId t, Nearest<Distance>& search) const {
+    const double distance = search.squared_distance(t);
+    if (distance > search.bound || (distance == search.bound && search.best != kNone)) return;
+    search.bound = distance;
+    search.best = t;
   }
 
-  SmallBox leaf_box(Index leaf) const;
-
-  Index leaves_ = 0;               // a power of two; node i has the children 2i and 2i + 1
-  std::vector<SmallBox> nodes_;    // from 1 on, the leaves last
-  std::vector<TriangleId> order_;  // four a leaf, kNone for none
-  std::vector<Index> place_;       // per triangle: where it stands in order_
-  std::vector<SmallBox> boxes_;    // per triangle
+  std::vector<FourBoxes> nodes_;   // level after level
+  std::vector<Index> levels_;      // per level: its first node
+  std::vector<TriangleId> order_;  // four a node of level 0
+  std::vector<Index> place_;       // per triangle: where it stands in order_; kNone: nowhere
 };
 
 }  // namespace kdm
