@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Marks cubes by steps along segments, and grows the marks a word at a time.
+// Goes along segments by steps, and marks each cube that it comes to with those that touch it.
 #include "reduce/cell_bits.h"
 
 #include <algorithm>
@@ -10,24 +10,14 @@ namespace {
 
 constexpr double kMostCells = 512;
 
-// Marks each word with what its neighbours had, `step` words on and back, within blocks of `block`.
-void spread_words(std::vector<std::uint64_t>& words, std::size_t step, std::size_t block) {
-  const std::vector<std::uint64_t> before = words;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    const std::size_t place = i % block;
-    if (place >= step) words[i] |= before[i - step];
-    if (place + step < block) words[i] |= before[i + step];
-  }
-}
-
 }  // namespace
 
-CellBits::CellBits(const Box& box, double width) {
+CellBits::CellBits(const Box& box, double width, const std::vector<std::array<Vec3, 2>>& segments) {
   const Vec3 size = box.max - box.min;
   if (!(size.minCoeff() >= 0)) return;
   const double least = std::max(width, size.maxCoeff() / kMostCells);
   const double cell = least > 0 ? least : 1;
-  // Two cubes more on each side have room for what grows.
+  // Two cubes more on each side have room for those that touch.
   corner_ = box.min.array() - 2 * cell;
   scale_ = 1 / cell;
   for (int axis = 0; axis < 3; ++axis) {
@@ -35,30 +25,36 @@ CellBits::CellBits(const Box& box, double width) {
   }
   row_ = (counts_[0] + kBits - 1) / kBits;
   words_.assign(static_cast<std::size_t>(row_ * counts_[1] * counts_[2]), 0);
+  mark(segments);
 }
 
-void CellBits::mark(const Vec3& from, const Vec3& to) {
-  const int steps = std::max(1, static_cast<int>(std::ceil((to - from).norm() * scale_)));
-  for (int i = 0; i <= steps; ++i) {
-    const std::array<std::int64_t, 3> cell =
-        cell_of(from + (static_cast<double>(i) / steps) * (to - from));
-    words_[word_of(cell)] |= std::uint64_t{1} << (cell[0] % kBits);
+void CellBits::mark(const std::vector<std::array<Vec3, 2>>& segments) {
+  std::vector<std::uint64_t> passed(words_.size(), 0);
+  for (const auto& [from, to] : segments) {
+    const int steps = std::max(1, static_cast<int>(std::ceil((to - from).norm() * scale_)));
+    for (int i = 0; i <= steps; ++i) {
+      const std::array<std::int64_t, 3> cell =
+          cell_of(from + (static_cast<double>(i) / steps) * (to - from));
+      const std::uint64_t bit = std::uint64_t{1} << (cell[0] % kBits);
+      std::uint64_t& word = passed[word_of(cell)];
+      if ((word & bit) == 0) mark_round(cell);
+      word |= bit;
+    }
   }
 }
 
-void CellBits::grow() {
-  std::vector<std::uint64_t> grown = words_;
-  for (std::size_t i = 0; i < words_.size(); ++i) {
-    const std::int64_t place = static_cast<std::int64_t>(i) % row_;
-    grown[i] |= words_[i] << 1 | words_[i] >> 1;
-    if (place > 0) grown[i] |= words_[i - 1] >> (kBits - 1);
-    if (place + 1 < row_) grown[i] |= words_[i + 1] << (kBits - 1);
+// There is a cube on each side.
+void CellBits::mark_round(const std::array<std::int64_t, 3>& cell) {
+  const std::int64_t at = cell[0] % kBits;
+  const std::uint64_t three = at > 0 ? std::uint64_t{7} << (at - 1) : 3;
+  for (std::int64_t z = cell[2] - 1; z <= cell[2] + 1; ++z) {
+    for (std::int64_t y = cell[1] - 1; y <= cell[1] + 1; ++y) {
+      const std::size_t word = word_of({cell[0], y, z});
+      words_[word] |= three;
+      if (at == 0) words_[word - 1] |= std::uint64_t{1} << (kBits - 1);
+      if (at == kBits - 1) words_[word + 1] |= 1;
+    }
   }
-  words_ = std::move(grown);
-  const std::size_t row = static_cast<std::size_t>(row_);
-  const std::size_t slice = row * static_cast<std::size_t>(counts_[1]);
-  spread_words(words_, row, slice);
-  spread_words(words_, slice, words_.size());
 }
 
 }  // namespace kdm

@@ -10,20 +10,16 @@
 
 namespace kdm {
 
-/// One bit for each cube of a box. Points outside of the box are in no cube.
+/// One bit for each cube of a box, set near to segments. Points outside of the box are in no cube.
 class CellBits {
  public:
   CellBits() = default;
   /// The cubes are `width` wide, or wider where there would be more than 512 along a side. An
-  /// empty box has none.
-  CellBits(const Box& box, double width);
+  /// empty box has none. The segments must lie in the box: all points within half a cube's width of
+  /// them are in marked cubes, and none that is further than 3.5 widths.
+  CellBits(const Box& box, double width, const std::vector<std::array<Vec3, 2>>& segments);
 
-  /// Marks cubes along the segment so that each of its points is in one of them or beside one.
-  void mark(const Vec3& from, const Vec3& to);
-  /// Marks all cubes that touch a marked one. Then all points within half a cube's width of the
-  /// segments are in marked cubes, and none that is further than 3.5 widths.
-  void grow();
-
+  /// Tells whether the point is in a marked cube.
   bool test(const Vec3& p) const {
     const Vec3 place = (p - corner_) * scale_;
     for (int axis = 0; axis < 3; ++axis) {
@@ -36,6 +32,8 @@ class CellBits {
  private:
   static constexpr std::int64_t kBits = 64;
 
+  void mark(const std::vector<std::array<Vec3, 2>>& segments);
+  void mark_round(const std::array<std::int64_t, 3>& cell);
   std::array<std::int64_t, 3> cell_of(const Vec3& p) const {
     std::array<std::int64_t, 3> cell{};
     for (int axis = 0; axis < 3; ++axis) {

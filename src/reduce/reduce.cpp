@@ -41,18 +41,19 @@ double diagonal_of(const std::vector<Vec3>& positions) {
   return (box.max - box.min).norm();
 }
 
-// Returns the triangles of the reference, and those of the mesh that it lacks. Sets `near` to one
-// of them that is near to each vertex of the mesh, kNone where there is none.
-Reference reference_for(const ScaledMesh& mesh, const ScaledMesh& reference, double error,
-                        std::vector<TriangleId>& near) {
-  std::vector<std::array<Vec3, 3>> triangles = reference.all_corners();
-  Reference given(triangles);
+// Adds to the reference, whose triangles `kept` holds, those of the mesh that it lacks. Sets `near`
+// to one of the triangles that it had which is near to each vertex of the mesh, kNone where there
+// is none.
+void add_foreign(const ScaledMesh& mesh, double error, ScaledMesh& reference, Reference& kept,
+                 std::vector<TriangleId>& near) {
   TriangleId hint = kNone;
-  const auto is_near = [&](const Vec3& p) { return given.is_near(p, kForeign * error, hint); };
+  const auto is_near = [&](const Vec3& p) { return kept.is_near(p, kForeign * error, hint); };
   near.assign(mesh.positions.size(), kNone);
   for (PointId p = 0; p < near.size(); ++p) {
     if (is_near(mesh.positions[p])) near[p] = hint;
   }
+  const std::size_t given = reference.triangles.size();
+  const auto first = static_cast<Index>(reference.positions.size());
   for (TriangleId t = 0; t < mesh.triangles.size(); ++t) {
     const Triangle& c = mesh.triangles[t];
     const std::array<Vec3, 3> corners = mesh.corners(t);
@@ -61,10 +62,12 @@ Reference reference_for(const ScaledMesh& mesh, const ScaledMesh& reference, dou
         is_near((corners[0] + corners[1] + corners[2]) / 3)) {
       continue;
     }
-    triangles.push_back(corners);
+    reference.triangles.push_back({first + c[0], first + c[1], first + c[2]});
   }
-  if (triangles.size() == given.size()) return given;
-  return Reference(std::move(triangles));
+  if (reference.triangles.size() == given) return;
+  reference.positions.insert(reference.positions.end(), mesh.positions.begin(),
+                             mesh.positions.end());
+  kept = Reference(reference.all_corners());
 }
 
 // Returns the vertices of the mesh and of the reference, each at a triangle of the mesh that is
@@ -179,12 +182,14 @@ ReducedMesh reduce(const Mesh& mesh, const Mesh& reference, const ReduceOptions&
     const ScaledMesh to = scaled_mesh(reference, -exponent);
     const double error = std::ldexp(options.error, -exponent);
     std::vector<TriangleId> near;
-    kept.emplace(reference_for(from, to, error, near));
+    ScaledMesh whole = to;
+    kept.emplace(to.all_corners());
+    add_foreign(from, error, whole, *kept, near);
     std::optional<Samples> samples;
     std::optional<TrueCreases> creases;
     share_parts(2, 1, [&](std::size_t task, std::size_t) {
       if (task == 0) samples = samples_of(from, surface, to, *kept, near, error);
-      if (task == 1) creases.emplace(*kept, kCreaseReach * diagonal_of(to.positions));
+      if (task == 1) creases.emplace(whole, kCreaseReach * diagonal_of(to.positions));
     });
     LocalLimits limits = local_limits(from, surface, *kept, near, error);
     watched = std::move(limits.narrow);

@@ -14,28 +14,17 @@ namespace {
 
 constexpr double kCreaseCosine = 0.9659258262890683;  // of 15 degrees
 
-// The reference's triangles over points that are shared.
-struct Joined {
+// Returns the triangles over points that vertices of equal position share. `points` is set to their
+// number.
+std::vector<Triangle> join(const ScaledMesh& reference, Index& points) {
+  const Weld weld = weld_positions(reference.positions);
+  points = static_cast<Index>(weld.first_of.size());
   std::vector<Triangle> triangles;
-  std::vector<Vec3> normals;
-  Index points;
-};
-
-Joined join(const Reference& reference) {
-  std::vector<Vec3> corners;
-  corners.reserve(3 * std::size_t{reference.size()});
-  Joined out;
-  for (TriangleId t = 0; t < reference.size(); ++t) {
-    const std::array<Vec3, 3>& c = reference.corners(t);
-    corners.insert(corners.end(), c.begin(), c.end());
-    out.normals.push_back(unit_normal(c[0], c[1], c[2]));
+  triangles.reserve(reference.triangles.size());
+  for (const Triangle& t : reference.triangles) {
+    triangles.push_back({weld.point_of[t[0]], weld.point_of[t[1]], weld.point_of[t[2]]});
   }
-  const Weld weld = weld_positions(corners);
-  for (std::size_t i = 0; i < corners.size(); i += 3) {
-    out.triangles.push_back({weld.point_of[i], weld.point_of[i + 1], weld.point_of[i + 2]});
-  }
-  out.points = static_cast<Index>(weld.first_of.size());
-  return out;
+  return triangles;
 }
 
 bool turn(std::span<const EdgeSide> sides, const std::vector<Vec3>& normals) {
@@ -50,31 +39,33 @@ bool turn(std::span<const EdgeSide> sides, const std::vector<Vec3>& normals) {
 
 }  // namespace
 
-TrueCreases::TrueCreases(const Reference& reference, double reach) : width_(2 * reach) {
-  for (TriangleId t = 0; t < reference.size(); ++t) {
-    for (const Vec3& p : reference.corners(t)) grow(box_, p);
+TrueCreases::TrueCreases(const ScaledMesh& reference, double reach) : width_(2 * reach) {
+  std::vector<Vec3> normals;
+  normals.reserve(reference.triangles.size());
+  for (Index t = 0; t < reference.triangles.size(); ++t) {
+    const std::array<Vec3, 3> c = reference.corners(t);
+    for (const Vec3& p : c) grow(box_, p);
+    normals.push_back(unit_normal(c[0], c[1], c[2]));
   }
-  cells_ = CellBits(box_, width_);
-  const Joined joined = join(reference);
-  EdgeSides(joined.triangles, joined.points)
-      .for_each_edge([&](PointId, std::span<const EdgeSide> sides) {
-        if (!turn(sides, joined.normals)) return;
-        const SideId side = sides.front().side;
-        const std::array<Vec3, 3>& c = reference.corners(triangle_of(side));
-        cells_.mark(c[corner_of(side)], c[next_corner(corner_of(side))]);
-      });
-  cells_.grow();
+  std::vector<std::array<Vec3, 2>> creases;
+  Index points = 0;
+  const std::vector<Triangle> triangles = join(reference, points);
+  EdgeSides(triangles, points).for_each_edge([&](PointId, std::span<const EdgeSide> sides) {
+    if (!turn(sides, normals)) return;
+    const SideId side = sides.front().side;
+    const std::array<Vec3, 3> c = reference.corners(triangle_of(side));
+    creases.push_back({c[corner_of(side)], c[next_corner(corner_of(side))]});
+  });
+  cells_ = CellBits(box_, width_, creases);
 }
 
-void TrueCreases::add(const std::vector<std::array<Vec3, 2>>& segments) {
+void TrueCreases::add(std::vector<std::array<Vec3, 2>> segments) {
   if (segments.empty()) return;
-  added_ = CellBits(box_, width_);
-  for (const auto& [from, to] : segments) {
-    // The mesh may stick out of the reference's box a little.
-    added_.mark(from.cwiseMax(box_.min).cwiseMin(box_.max),
-                to.cwiseMax(box_.min).cwiseMin(box_.max));
+  // The mesh may stick out of the reference's box a little.
+  for (std::array<Vec3, 2>& segment : segments) {
+    for (Vec3& end : segment) end = end.cwiseMax(box_.min).cwiseMin(box_.max);
   }
-  added_.grow();
+  added_ = CellBits(box_, width_, segments);
 }
 
 }  // namespace kdm

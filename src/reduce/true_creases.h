@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "reduce/cell_bits.h"
-#include "reduce/reference.h"
+#include "reduce/scaled_mesh.h"
 
 namespace kdm {
 
@@ -15,10 +15,10 @@ namespace kdm {
 class TrueCreases {
  public:
   /// Points within `reach` of a crease are near to it, and some up to seven times as far.
-  TrueCreases(const Reference& reference, double reach);
+  TrueCreases(const ScaledMesh& reference, double reach);
 
   /// Adds segments at which the surface has creases too: where its parts pass through each other.
-  void add(const std::vector<std::array<Vec3, 2>>& segments);
+  void add(std::vector<std::array<Vec3, 2>> segments);
 
   bool are_near(const Vec3& p) const { return cells_.test(p) || added_.test(p); }
 

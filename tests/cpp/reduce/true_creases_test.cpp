@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "reduce/scaled_mesh.h"
 #include "support/shapes.h"
 
 namespace kdm {
@@ -11,8 +10,7 @@ namespace {
 
 TEST(TrueCreases, AreTheEdgesOfABoxAndNotItsDiagonals) {
   for (const Mesh& box : {shapes::cube(), shapes::soup(shapes::cube())}) {
-    const Reference reference(scaled_mesh(box, 0).all_corners());
-    const TrueCreases creases(reference, 0.05);
+    const TrueCreases creases(scaled_mesh(box, 0), 0.05);
     EXPECT_TRUE(creases.are_near(Vec3(0.5, 0, 0)));
     EXPECT_TRUE(creases.are_near(Vec3(0.5, 0.05, 0.05)));
     EXPECT_FALSE(creases.are_near(Vec3(0.5, 0.5, 0)));
@@ -21,8 +19,7 @@ TEST(TrueCreases, AreTheEdgesOfABoxAndNotItsDiagonals) {
 }
 
 TEST(TrueCreases, AreNoneOnASmoothSphere) {
-  const Reference reference(scaled_mesh(shapes::icosphere(3), 0).all_corners());
-  const TrueCreases creases(reference, 0.1);
+  const TrueCreases creases(scaled_mesh(shapes::icosphere(3), 0), 0.1);
   for (const Vec3& p : shapes::icosphere(1).positions) EXPECT_FALSE(creases.are_near(p));
 }
 
