@@ -37,31 +37,34 @@ void Samples::add(const Vec3& point, TriangleId t, TriangleId near) {
   put(static_cast<Index>(point_.size() - 1), t);
 }
 
+// Returns the place of a target that the point is beside and near to, beginning at the target `at`;
+// if there is none, of the nearest target. Returns `kNone` if that is too far.
+Index Samples::Places::place_of(const Vec3& p, Index at, double limit) const {
+  const auto count = static_cast<Index>(targets_.size());
+  for (Index i = at; i < at + count; ++i) {
+    const Target& target = targets_[i < count ? i : i - count];
+    if (target.is_beside(p) && target.squared_height(p) <= limit) return i < count ? i : i - count;
+  }
+  Index nearest = kNone;
+  double least = limit;
+  for (Index i = 0; i < count; ++i) {
+    const std::array<Vec3, 3>& c = targets_[i].corners;
+    const double off = squared_distance(p, c[0], c[1], c[2]);
+    if (off > least || (off == least && nearest != kNone)) continue;
+    least = off;
+    nearest = i;
+  }
+  return nearest;
+}
+
 // Finds places for the samples of a triangle, beginning at the target `at`, then where the sample
 // before went: that is near.
 bool Samples::find_places(TriangleId from, Index at, double distance, Places& found) const {
-  const std::vector<Places::Target>& targets = found.targets_;
-  const double limit = distance * distance;
-  const double enough = kNearEnough * kNearEnough * limit;
   for (Index s = first_[from]; s != kNone; s = next_[s]) {
-    const Vec3& p = point_[s];
-    double least = kFar;
-    Index nearest = 0;
-    for (std::size_t i = 0; i < targets.size(); ++i, ++at) {
-      if (at == targets.size()) at = 0;
-      const Places::Target& target = targets[at];
-      const bool beside = target.is_beside(p);
-      const double off =
-          beside ? target.squared_height(p)
-                 : squared_distance(p, target.corners[0], target.corners[1], target.corners[2]);
-      if (off >= least) continue;
-      least = off;
-      nearest = at;
-      if (off <= (beside ? limit : enough)) break;
-    }
-    if (!(least <= limit)) return false;
-    at = nearest;
-    found.places_.push_back({s, nearest});
+    const Index place = found.place_of(point_[s], at, distance * distance);
+    if (place == kNone) return false;
+    at = place;
+    found.places_.push_back({s, place});
   }
   return true;
 }

@@ -78,6 +78,8 @@ class Samples::Places {
     Index target;  // its place among the targets
   };
 
+  Index place_of(const Vec3& p, Index at, double limit) const;
+
   std::vector<Target> targets_;  // where points may go
   std::vector<Place> places_;
   std::vector<TriangleId> hints_;  // per triangle of the ring
