@@ -114,14 +114,15 @@ bool CollapseTest::keeps_shape(const CollapseRing& ring) const {
 }
 
 // Tells whether the step is to be held against the rest of the mesh.
-bool CollapseTest::is_guarded(const CollapseRing& ring) const {
+bool CollapseTest::is_guarded(const CollapseRing& ring) {
   if (!piece_.guard) return false;
   if (!piece_.guarded) return true;
   const Marks& marked = *piece_.guarded;
   return marked.test(ring.kept) || marked.test(ring.removed) ||
          std::any_of(ring.triangles.begin(), ring.triangles.end(),
                      [&](const RingTriangle& t) { return marked.test(t.from); }) ||
-         (piece_.distance && is_folded(ring));
+         (piece_.distance && is_folded(ring) &&
+          !piece_.guard->is_simple_all_round(ring, *crossing_));
 }
 
 bool CollapseTest::fits(SideId edge, CollapseTrial& trial) {

@@ -44,7 +44,7 @@ class CollapseTest {
   void make_ring(SideId edge, const Vec3& point, CollapseRing& ring) const;
   bool fits(SideId edge, CollapseTrial& trial);
   bool keeps_shape(const CollapseRing& ring) const;
-  bool is_guarded(const CollapseRing& ring) const;
+  bool is_guarded(const CollapseRing& ring);
 
   Workpiece& piece_;
   const EdgeErrors& errors_;

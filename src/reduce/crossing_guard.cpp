@@ -152,6 +152,12 @@ bool CrossingGuard::is_simple(const CollapseRing& ring, VertexId v, Scratch& scr
   return is_simple_fan(scratch.sides_);
 }
 
+bool CrossingGuard::is_simple_all_round(const CollapseRing& ring, Scratch& scratch) const {
+  return is_simple(ring, scratch) &&
+         std::all_of(ring.triangles.begin(), ring.triangles.end(),
+                     [&](const RingTriangle& t) { return is_simple(ring, t.from, scratch); });
+}
+
 bool CrossingGuard::would_meet(const CollapseRing& ring, Scratch& scratch) {
   Marks& replaced = scratch.replaced_;
   Marks& simple = scratch.simple_;

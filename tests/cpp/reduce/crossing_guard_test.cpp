@@ -67,6 +67,32 @@ TEST(CrossingGuard, SaysWhatAWholeSearchSays) {
   EXPECT_LT(meeting, kSteps * 9 / 10);
 }
 
+// Where all is simple round a ring, nothing that shares a vertex with it may meet it; where it
+// folds over, that must not be said.
+TEST(CrossingGuard, CallsSimpleOnlyWhatDoesNotMeetItsSurroundings) {
+  const Mesh box = shapes::subdivided(shapes::subdivided(shapes::cube()));
+  const HalfEdges mesh(box.triangles, static_cast<Index>(box.positions.size()));
+  CrossingGuard guard(mesh, box.positions);
+  CrossingGuard::Scratch scratch(mesh);
+  check::Random random(2);
+  int simple = 0;
+  int meeting = 0;
+  for (int i = 0; i < 800; ++i) {
+    const SideId edge = random.below(3 * mesh.triangles());
+    Vec3 point = 0.5 * (box.positions[mesh.start(edge)] + box.positions[mesh.end(edge)]);
+    point += 0.25 * random.point(-1, 1);
+    const CollapseRing ring = ring_of(mesh, box.positions, edge, point);
+    // So small a step reaches no other part of the box: what meets shares vertices.
+    const bool meet = find_self_intersections(collapsed(box, ring)).pairs > 0;
+    const bool said = guard.is_simple_all_round(ring, scratch);
+    ASSERT_FALSE(said && meet) << "edge " << edge;
+    simple += said ? 1 : 0;
+    meeting += meet ? 1 : 0;
+  }
+  EXPECT_GT(simple, 20);
+  EXPECT_GT(meeting, 20);
+}
+
 // The last triangle shares a corner with each of the first two and leads from one to the other
 // through both. From either its other corners lie beyond the side that these share.
 TEST(CrossingGuard, SeesWhatLeadsThroughFromASharedCorner) {
