@@ -20,17 +20,14 @@ constexpr double kFolded = 0.7;
 // 45 degrees against the mean of those that there would be.
 bool is_folded(const CollapseRing& ring) {
   Vec3 mean = Vec3::Zero();
-  for (const RingTriangle& t : ring.triangles) {
-    mean += doubled_area_vector(ring.point, t.from_point, t.to_point);
-  }
+  for (const RingTriangle& t : ring.triangles) mean += t.after.doubled_area * t.after.normal;
   const double least = kFolded * kFolded * mean.squaredNorm();
-  const auto is_turned = [&](const Vec3& area) {
-    const double along = area.dot(mean);
-    return !(along > 0 && along * along >= least * area.squaredNorm());
+  const auto is_turned = [&](const Vec3& normal) {
+    const double along = normal.dot(mean);
+    return !(along > 0 && along * along >= least);
   };
   return std::any_of(ring.triangles.begin(), ring.triangles.end(), [&](const RingTriangle& t) {
-    return is_turned(doubled_area_vector(ring.point, t.from_point, t.to_point)) ||
-           is_turned(doubled_area_vector(t.old_point, t.from_point, t.to_point));
+    return is_turned(t.after.normal) || is_turned(t.before.normal);
   });
 }
 
@@ -70,7 +67,6 @@ void CollapseTest::make_ring(SideId edge, const Vec3& point, CollapseRing& ring)
   const SideId back = piece_.mesh.opposite(edge);
   ring.kept = piece_.mesh.start(edge);
   ring.removed = piece_.mesh.end(edge);
-  ring.point = point;
   ring.triangles.clear();
   ring.gone = {triangle_of(edge)};
   if (back != kNone) ring.gone.push_back(triangle_of(back));
@@ -82,9 +78,11 @@ void CollapseTest::make_ring(SideId edge, const Vec3& point, CollapseRing& ring)
       const VertexId to = piece_.mesh.start(previous_side(h));
       const SideId beyond = piece_.mesh.opposite(next_side(h));
       ring.triangles.push_back({t, from, to, beyond == kNone ? kNone : triangle_of(beyond),
-                                piece_.positions[from], piece_.positions[to], piece_.positions[v]});
+                                piece_.positions[from], piece_.positions[to], piece_.positions[v],
+                                piece_.faces[t]});
     });
   }
+  put_vertex(ring, point);
 }
 
 bool CollapseTest::keeps_shape(const CollapseRing& ring) const {
@@ -94,21 +92,15 @@ bool CollapseTest::keeps_shape(const CollapseRing& ring) const {
                                                          piece_.distance->limits[ring.removed])
                                               : std::numeric_limits<double>::infinity();
   for (const RingTriangle& t : ring.triangles) {
-    const Vec3 before = doubled_area_vector(t.old_point, t.from_point, t.to_point);
-    const Vec3 after = doubled_area_vector(ring.point, t.from_point, t.to_point);
-    const double size_before = before.norm();
-    const double size = after.norm();
-    const double shape_before = shape_of(t.old_point, t.from_point, t.to_point, size_before);
-    const double shape = shape_of(ring.point, t.from_point, t.to_point, size);
     // The normal of a sliver says little.
-    if (shape_before >= kLeastShape && before.dot(after) < kLeastCosine * size_before * size) {
+    if (t.before.shape >= kLeastShape && t.before.normal.dot(t.after.normal) < kLeastCosine) {
       return false;
     }
     // The sides of a thin plate are long and low: what is higher than the distance kept is no
     // sliver.
-    const double height = size > 0 ? std::sqrt(size * shape) : 0;
-    if (height < least_height) worst = std::min(worst, shape);
-    worst_before = std::min(worst_before, shape_before);
+    const double height = std::sqrt(t.after.doubled_area * t.after.shape);
+    if (height < least_height) worst = std::min(worst, t.after.shape);
+    worst_before = std::min(worst_before, t.before.shape);
   }
   return worst >= kLeastShape || worst >= worst_before;
 }

@@ -109,7 +109,8 @@ void Collapser::step(SideId edge, const CollapseTrial& trial) {
   piece_.positions[v] = ring.point;
   errors_.join(v, ring.removed);
   piece_.joined_to[ring.removed] = v;
-  if (piece_.guard) piece_.guard->collapsed(ring);
+  for (const TriangleId t : ring.gone) piece_.changed(t);
+  for (const RingTriangle& t : ring.triangles) piece_.changed(t.number);
   if (piece_.guarded && piece_.guarded->test(ring.removed)) piece_.guarded->set(v);
   ++collapses_;
   piece_.mesh.for_each_edge(v, [&](SideId changed) {

@@ -191,11 +191,6 @@ bool CrossingGuard::would_meet(const std::array<TriangleId, 2>& places,
   return meet;
 }
 
-void CrossingGuard::collapsed(const CollapseRing& ring) {
-  for (const TriangleId t : ring.gone) changed(t);
-  for (const RingTriangle& t : ring.triangles) changed(t.number);
-}
-
 // Many triangles change several times before the tree is asked again.
 void CrossingGuard::changed(TriangleId t) {
   if (!is_put_off_.test_and_set(t)) put_off_.push_back(t);

@@ -28,12 +28,10 @@ class CrossingGuard {
   bool would_meet(const std::array<TriangleId, 2>& places, const std::array<Triangle, 2>& triangles,
                   Scratch& scratch);
 
-  /// Tells whether the ring's triangles surely meet neither each other nor what shares a vertex with
-  /// them: what is cheap to know. An answer "no" promises nothing.
+  /// Tells whether the ring's triangles surely meet neither each other nor what shares a vertex
+  /// with them: what is cheap to know. An answer "no" promises nothing.
   bool is_simple_all_round(const CollapseRing& ring, Scratch& scratch) const;
 
-  /// Makes known that the ring's triangles are what the last step left.
-  void collapsed(const CollapseRing& ring);
   /// Makes known that a triangle's corners are others now, or that it is gone.
   void changed(TriangleId t);
   /// Brings what tests read up to date. From then on until something changes, several threads may

@@ -128,7 +128,7 @@ class Flipper {
     piece_.mesh.flip(h);
     ++time_;
     for (const VertexId v : {a, b, c, d}) changed_[v] = time_;
-    for (const TriangleId t : places) piece_.guard->changed(t);
+    for (const TriangleId t : places) piece_.changed(t);
     return true;
   }
 
@@ -139,7 +139,7 @@ class Flipper {
   bool keeps_shape(const std::array<Triangle, 2>& triangles) const {
     for (const Triangle& t : triangles) {
       const std::array<Vec3, 3> c = corners(t);
-      if (shape_of(c[0], c[1], c[2]) < kLeastShape) return false;
+      if (face_shape(c[0], c[1], c[2]).shape < kLeastShape) return false;
     }
     return true;
   }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mesh/numbers.h"
+#include "reduce/shape.h"
 
 namespace kdm {
 
@@ -17,6 +18,8 @@ struct RingTriangle {
   Vec3 from_point;
   Vec3 to_point;
   Vec3 old_point;  ///< where the third corner is now
+  FaceShape before = {};
+  FaceShape after = {};
 };
 
 /// The triangles round the edge, as they would be.
@@ -27,6 +30,12 @@ struct CollapseRing {
   std::vector<RingTriangle> triangles;
   std::vector<TriangleId> gone;  ///< the triangles beside the edge: two, or one at a rim
 };
+
+/// Puts the new vertex to a place.
+inline void put_vertex(CollapseRing& ring, const Vec3& point) {
+  ring.point = point;
+  for (RingTriangle& t : ring.triangles) t.after = face_shape(point, t.from_point, t.to_point);
+}
 
 /// Returns the corners of a triangle of the ring, by number, in the order in which `corners_of` has
 /// their points.

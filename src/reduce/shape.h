@@ -18,8 +18,19 @@ inline double shape_of(const Vec3& a, const Vec3& b, const Vec3& c, double doubl
       std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
   return longest > 0 ? doubled_area / longest : 0;
 }
-inline double shape_of(const Vec3& a, const Vec3& b, const Vec3& c) {
-  return shape_of(a, b, c, doubled_area_vector(a, b, c).norm());
+
+/// What tests ask of a triangle again and again.
+struct FaceShape {
+  Vec3 normal = Vec3::Zero();  ///< of length 1; zero if there is no area
+  double doubled_area = 0;
+  double shape = 0;  ///< see `shape_of`
+};
+
+inline FaceShape face_shape(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 area = doubled_area_vector(a, b, c);
+  const double size = area.norm();
+  const Vec3 normal = size > 0 ? Vec3(area / size) : Vec3(Vec3::Zero());
+  return {normal, size, shape_of(a, b, c, size)};
 }
 
 }  // namespace kdm

@@ -16,21 +16,10 @@ constexpr double kCosineSlack = 1e-9;
 
 }  // namespace
 
-Vec3 SmoothTest::normal_of(TriangleId t) const {
-  const Triangle c = piece_.mesh.corners(t);
-  return unit_normal(piece_.positions[c[0]], piece_.positions[c[1]], piece_.positions[c[2]]);
-}
-
 // Finds what turns by more than 30 degrees in the ring, now and then.
 void SmoothTest::find_turns(const CollapseRing& ring) {
-  normals_before_.clear();
-  normals_after_.clear();
   before_.clear();
   after_.clear();
-  for (const RingTriangle& t : ring.triangles) {
-    normals_before_.push_back(unit_normal(t.old_point, t.from_point, t.to_point));
-    normals_after_.push_back(unit_normal(ring.point, t.from_point, t.to_point));
-  }
   const auto look = [&](std::vector<Turn>& turns, double cosine, const Vec3& p, const Vec3& q) {
     if (cosine < kSmooth) turns.push_back({cosine, 0.5 * (p + q)});
   };
@@ -38,28 +27,26 @@ void SmoothTest::find_turns(const CollapseRing& ring) {
     look(before_, normal_of(ring.gone[0]).dot(normal_of(ring.gone[1])), piece_.positions[ring.kept],
          piece_.positions[ring.removed]);
   }
-  for (std::size_t i = 0; i < ring.triangles.size(); ++i) {
-    const RingTriangle& t = ring.triangles[i];
+  for (const RingTriangle& t : ring.triangles) {
     if (t.beyond != kNone) {
-      const Vec3 normal = normal_of(t.beyond);
-      look(before_, normal.dot(normals_before_[i]), t.from_point, t.to_point);
-      look(after_, normal.dot(normals_after_[i]), t.from_point, t.to_point);
+      const Vec3& normal = normal_of(t.beyond);
+      look(before_, normal.dot(t.before.normal), t.from_point, t.to_point);
+      look(after_, normal.dot(t.after.normal), t.from_point, t.to_point);
     }
-    for (std::size_t j = 0; j < ring.triangles.size(); ++j) {
-      const RingTriangle& next = ring.triangles[j];
+    for (const RingTriangle& next : ring.triangles) {
       if (next.from != t.to) continue;
-      look(after_, normals_after_[i].dot(normals_after_[j]), ring.point, t.to_point);
+      look(after_, t.after.normal.dot(next.after.normal), ring.point, t.to_point);
       if (t.old_point == next.old_point) {
-        look(before_, normals_before_[i].dot(normals_before_[j]), t.old_point, t.to_point);
+        look(before_, t.before.normal.dot(next.before.normal), t.old_point, t.to_point);
         continue;
       }
       // At two ends of the edge, with one of the triangles beside it in between.
       for (const TriangleId gone : ring.gone) {
         const Triangle c = piece_.mesh.corners(gone);
         if (std::find(c.begin(), c.end(), t.to) == c.end()) continue;
-        const Vec3 normal = normal_of(gone);
-        look(before_, normals_before_[i].dot(normal), t.old_point, t.to_point);
-        look(before_, normal.dot(normals_before_[j]), next.old_point, t.to_point);
+        const Vec3& normal = normal_of(gone);
+        look(before_, t.before.normal.dot(normal), t.old_point, t.to_point);
+        look(before_, normal.dot(next.before.normal), next.old_point, t.to_point);
       }
     }
   }

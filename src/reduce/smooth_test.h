@@ -35,7 +35,7 @@ class SmoothTest {
     Vec3 middle;    // of the edge
   };
 
-  Vec3 normal_of(TriangleId t) const;
+  const Vec3& normal_of(TriangleId t) const { return piece_.faces[t].normal; }
   void find_turns(const CollapseRing& ring);
   std::ptrdiff_t false_creases(const std::vector<Turn>& turns) const;
 
@@ -43,8 +43,6 @@ class SmoothTest {
   const TrueCreases& creases_;
   std::vector<Turn> before_;  // what turns by more than 30 degrees in the ring
   std::vector<Turn> after_;
-  std::vector<Vec3> normals_before_;  // of the ring's triangles
-  std::vector<Vec3> normals_after_;
 };
 
 }  // namespace kdm

@@ -3,6 +3,7 @@
 // nearest triangle, and half the way to the former.
 #include "reduce/vertex_moves.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -33,21 +34,17 @@ CollapseRing ring_at(const Workpiece& piece, VertexId v, const Vec3& point) {
     const SideId beyond = piece.mesh.opposite(next_side(h));
     ring.triangles.push_back({triangle_of(h), from, to,
                               beyond == kNone ? kNone : triangle_of(beyond), piece.positions[from],
-                              piece.positions[to], piece.positions[v]});
+                              piece.positions[to], piece.positions[v],
+                              piece.faces[triangle_of(h)]});
   });
+  put_vertex(ring, point);
   return ring;
 }
 
 bool keeps_shape(const CollapseRing& ring) {
-  for (const RingTriangle& t : ring.triangles) {
-    const Vec3 before = doubled_area_vector(t.old_point, t.from_point, t.to_point);
-    const Vec3 after = doubled_area_vector(ring.point, t.from_point, t.to_point);
-    if (before.dot(after) <= 0 ||
-        shape_of(ring.point, t.from_point, t.to_point, after.norm()) < kLeastShape) {
-      return false;
-    }
-  }
-  return true;
+  return std::all_of(ring.triangles.begin(), ring.triangles.end(), [](const RingTriangle& t) {
+    return t.before.normal.dot(t.after.normal) > 0 && t.after.shape >= kLeastShape;
+  });
 }
 
 // Returns the point in the plane of the reference's triangle nearest to it.
@@ -93,7 +90,7 @@ VertexMove move_to_smooth(Workpiece& piece, SmoothTest& smooth, CrossingGuard::S
   NearFind found;
   for (const Vec3& point :
        {centre, on_reference(kept, place, kept.near[v]), Vec3(0.5 * (place + centre))}) {
-    ring.point = point.cast<float>().cast<double>();
+    put_vertex(ring, point.cast<float>().cast<double>());
     if (!smooth.smooths(ring) || !keeps_shape(ring)) continue;
     const bool near = stays_near(piece, ring, found);
     kept.near[v] = found.near;
@@ -104,7 +101,7 @@ VertexMove move_to_smooth(Workpiece& piece, SmoothTest& smooth, CrossingGuard::S
     }
     kept.samples.move(ring, found.places);
     piece.positions[v] = ring.point;
-    piece.guard->collapsed(ring);
+    for (const RingTriangle& t : ring.triangles) piece.changed(t.number);
     return VertexMove::kMade;
   }
   return may_meet || kept.near[v] != near_before ? VertexMove::kNotNow : VertexMove::kNever;

@@ -9,6 +9,7 @@
 #include "reduce/half_edges.h"
 #include "reduce/reference.h"
 #include "reduce/samples.h"
+#include "reduce/shape.h"
 #include "reduce/true_creases.h"
 
 namespace kdm {
@@ -39,6 +40,8 @@ struct Workpiece {
         distance(std::move(kept)),
         guarded(std::move(watched)) {
     if (!guarded || guarded->any() || distance) guard.emplace(mesh, positions);
+    faces.reserve(mesh.triangles());
+    for (TriangleId t = 0; t < mesh.triangles(); ++t) faces.push_back(shape_of_face(t));
   }
   Workpiece(const Workpiece&) = delete;  // the guard refers to the mesh
   Workpiece& operator=(const Workpiece&) = delete;
@@ -49,13 +52,26 @@ struct Workpiece {
     return !groups.empty() && back != kNone && groups[triangle_of(h)] != groups[triangle_of(back)];
   }
 
+  /// Makes known that a triangle's corners are others now, or elsewhere, or that it is gone.
+  void changed(TriangleId t) {
+    if (!mesh.is_removed(t)) faces[t] = shape_of_face(t);
+    if (guard) guard->changed(t);
+  }
+
   HalfEdges mesh;
   std::vector<Vec3> positions;           // per vertex
+  std::vector<FaceShape> faces;          // per triangle that is there
   std::vector<VertexId> joined_to;       // per vertex that is gone: the one it was joined to
   std::optional<KeptDistance> distance;  // none: the number of triangles alone decides
   std::optional<CrossingGuard> guard;    // none: nothing is guarded
   std::optional<Marks> guarded;          // per vertex; none: all are guarded
   std::vector<Index> groups;             // per triangle; empty: there are none to keep
+
+ private:
+  FaceShape shape_of_face(TriangleId t) const {
+    const Triangle c = mesh.corners(t);
+    return face_shape(positions[c[0]], positions[c[1]], positions[c[2]]);
+  }
 };
 
 }  // namespace kdm

@@ -43,6 +43,25 @@ TEST(Pass, MarksWhereTrianglesCameToMeet) {
   EXPECT_FALSE(vertices_that_meet(piece, {pass.levels[0]}).any());
 }
 
+// What the tests ask of triangles is kept, and must be what a look at the mesh says.
+TEST(Pass, KnowsTheTrianglesThatItLeaves) {
+  const Mesh sphere = shapes::icosphere(3, 1);
+  Workpiece piece = unguarded(sphere);
+  run_pass(piece, {200}, {});
+  Index left = 0;
+  for (TriangleId t = 0; t < piece.mesh.triangles(); ++t) {
+    if (piece.mesh.is_removed(t)) continue;
+    const Triangle c = piece.mesh.corners(t);
+    const FaceShape now =
+        face_shape(piece.positions[c[0]], piece.positions[c[1]], piece.positions[c[2]]);
+    EXPECT_EQ(piece.faces[t].normal, now.normal);
+    EXPECT_EQ(piece.faces[t].doubled_area, now.doubled_area);
+    EXPECT_EQ(piece.faces[t].shape, now.shape);
+    ++left;
+  }
+  EXPECT_EQ(left, 200u);
+}
+
 TEST(Pass, IsRepeatedUntilNothingMeets) {
   const Mesh shell = thin_shell();
   const ReducedMesh few = reduce(shell, shell, {.target_triangles = {4000, 80}});
