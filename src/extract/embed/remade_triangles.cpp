@@ -2,18 +2,13 @@
 // Goes through the triangles of each hit, before and now, side by side.
 #include "extract/embed/remade_triangles.h"
 
-#include <algorithm>
-#include <numeric>
-
 namespace kdm {
 
 void RemadeTriangles::compare(const DualMesh& mesh, const HitTriangles& triangles,
                               std::span<const HitId> hits) {
-  now_.resize(vertex_.size() / 3);
-  std::iota(now_.begin(), now_.end(), TriangleId{0});
-  vertex_now_.assign(position_.size(), kNone);
-  vertex_before_.assign(mesh.vertices(), kNone);
-  const bool first = now_.empty();
+  const bool first = vertex_.empty();
+  forget_pairs();
+  vertex_before_.resize(mesh.vertices(), kNone);
   for (const HitId hit : hits) {
     old_.clear();
     new_.clear();
@@ -21,12 +16,44 @@ void RemadeTriangles::compare(const DualMesh& mesh, const HitTriangles& triangle
     triangles.for_each(hit, [&](TriangleId t) { new_.push_back(t); });
     as_before_.set(hit, !first && has_same(mesh));
     for (std::size_t i = 0; i < old_.size(); ++i) {
-      now_[old_[i]] = as_before_.test(hit) ? new_[i] : kNone;
+      const TriangleId t = as_before_.test(hit) ? new_[i] : kNone;
+      if (t == old_[i]) continue;
+      now_[old_[i]] = t;
+      other_now_.push_back(old_[i]);
     }
   }
-  triangles_ = triangles;
-  vertex_ = mesh.vertex;
-  position_ = mesh.position;
+  remember(mesh, hits);
+}
+
+// Makes ready for the next comparison: all that was there has its own number, and what was added
+// since the last one has, too.
+void RemadeTriangles::forget_pairs() {
+  for (const TriangleId t : other_now_) now_[t] = t;
+  other_now_.clear();
+  for (const auto& [before, now] : pairs_) {
+    vertex_now_[before] = kNone;
+    vertex_before_[now] = kNone;
+  }
+  pairs_.clear();
+  for (auto t = static_cast<TriangleId>(now_.size()); 3 * t < vertex_.size(); ++t) {
+    now_.push_back(t);
+  }
+  vertex_now_.resize(position_.size(), kNone);
+}
+
+// Remembers the triangles of these hits; all others are remembered already.
+void RemadeTriangles::remember(const DualMesh& mesh, std::span<const HitId> hits) {
+  triangles_.update(mesh, hits);
+  vertex_.resize(mesh.vertex.size(), kNone);
+  position_.resize(mesh.position.size());
+  for (const HitId hit : hits) {
+    triangles_.for_each(hit, [&](TriangleId t) {
+      for (HalfEdgeId h = 3 * t; h < 3 * t + 3; ++h) {
+        vertex_[h] = mesh.vertex[h];
+        position_[mesh.vertex[h]] = mesh.position[mesh.vertex[h]];
+      }
+    });
+  }
 }
 
 // Tells whether the hit's triangles have the same corners as before.
@@ -55,6 +82,7 @@ bool RemadeTriangles::pair_corners(const DualMesh& mesh) {
       if (vertex_now_[before] == kNone && vertex_before_[now] == kNone) {
         vertex_now_[before] = now;
         vertex_before_[now] = before;
+        pairs_.emplace_back(before, now);
       }
       if (vertex_now_[before] != now || vertex_before_[now] != before) return false;
     }

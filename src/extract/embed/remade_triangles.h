@@ -3,6 +3,7 @@
 #pragma once
 
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "extract/embed/hit_triangles.h"
@@ -19,8 +20,8 @@ class RemadeTriangles {
   explicit RemadeTriangles(Index hits) : triangles_(hits), as_before_(hits) {}
 
   /// Finds which of these hits are as before, and remembers the mesh as it is now. The triangles of
-  /// all other hits must be what they were. `triangles` lists the mesh's triangles by hit. Takes
-  /// time for the hits, and for copies of the mesh's arrays.
+  /// all other hits must be what they were; the first call must name all hits. `triangles` lists
+  /// the mesh's triangles by hit. Takes time for the hits, and for what was added to the mesh.
   void compare(const DualMesh& mesh, const HitTriangles& triangles, std::span<const HitId> hits);
 
   /// Tells whether the hit was as before in the last comparison, of those that it was given.
@@ -30,17 +31,21 @@ class RemadeTriangles {
   TriangleId now(TriangleId before) const { return now_[before]; }
 
  private:
+  void forget_pairs();
   bool has_same(const DualMesh& mesh);
   bool pair_corners(const DualMesh& mesh);
+  void remember(const DualMesh& mesh, std::span<const HitId> hits);
 
-  HitTriangles triangles_;        // of the mesh that is remembered
-  std::vector<VertexId> vertex_;  // its corners
-  std::vector<Vec3> position_;    // of its vertices
-  Marks as_before_;               // per hit
-  std::vector<TriangleId> now_;   // per triangle of the mesh that was remembered
+  HitTriangles triangles_;             // of the mesh that is remembered
+  std::vector<VertexId> vertex_;       // its corners
+  std::vector<Vec3> position_;         // of its vertices
+  Marks as_before_;                    // per hit
+  std::vector<TriangleId> now_;        // per triangle of the mesh that was remembered
+  std::vector<TriangleId> other_now_;  // those for which that is not their own number
   // Per vertex that was made again: its other number. Vertices that stay have their own.
   std::vector<VertexId> vertex_now_;
   std::vector<VertexId> vertex_before_;
+  std::vector<std::pair<VertexId, VertexId>> pairs_;  // of vertices, before and now
   std::vector<TriangleId> old_;  // the triangles of the hit that is looked at, before
   std::vector<TriangleId> new_;  // and now
 };

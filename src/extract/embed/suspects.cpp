@@ -15,7 +15,7 @@ Suspects::Suspects(const GridView& view, const DualMesh& loops, const EditLog& l
       updated_(view.grid.hits.size()) {}
 
 const std::vector<HitId>& Suspects::update(const DualMesh& mesh, std::span<const HitId> changed) {
-  triangles_.read(mesh);
+  triangles_.update(mesh, changed);
   find_hits_to_update(changed);
   for (const CellId leaf : leaves_of_several_loops(updated_hits_)) {
     envelopes_.update_leaf(mesh, triangles_, leaf);

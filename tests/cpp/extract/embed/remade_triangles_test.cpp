@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <map>
+#include <stdexcept>
 
 #include "support/embed_stage.h"
 
@@ -26,7 +27,7 @@ struct Remembered {
   }
 
   void compare(const std::vector<HitId>& hits) {
-    triangles.read(stage.mesh);
+    triangles.update(stage.mesh, hits);
     remade.compare(stage.mesh, triangles, hits);
   }
 
@@ -34,6 +35,46 @@ struct Remembered {
   HitTriangles triangles;
   RemadeTriangles remade;
 };
+
+std::vector<TriangleId> list_of(const HitTriangles& triangles, const DualMesh& mesh, HitId hit) {
+  std::vector<TriangleId> list;
+  triangles.for_each(hit, [&](TriangleId t) {
+    list.push_back(t);
+    if (list.size() > mesh.triangles()) throw std::length_error("a list has no end");
+  });
+  return list;
+}
+
+// The lists must be those that would be made of the mesh as it is.
+void expect_right_lists(const Remembered& all) {
+  HitTriangles anew(static_cast<Index>(all.stage.grid.hits.size()));
+  anew.update(all.stage.mesh, all.stage.all_hits());
+  for (const HitId hit : all.stage.all_hits()) {
+    ASSERT_EQ(list_of(all.triangles, all.stage.mesh, hit), list_of(anew, all.stage.mesh, hit))
+        << hit;
+  }
+}
+
+TEST(HitTriangles, AreUpToDateOnceChangedHitsAreNamed) {
+  Remembered all;
+  for (Index round = 0; round < 3; ++round) {
+    const std::vector<HitId> changed = all.stage.refine_some(round, 17 + round);
+    all.triangles.update(all.stage.mesh, changed);
+    expect_right_lists(all);
+  }
+}
+
+// A flip may give the first triangle of a hit to another hit, whose list stays as it is when the
+// hit is named again.
+TEST(HitTriangles, KnowATriangleThatWasGivenAway) {
+  Remembered all;
+  DualMesh& mesh = all.stage.mesh;
+  mesh.hit[5] = 6;
+  all.triangles.update(mesh, std::vector<HitId>{5, 6});
+  expect_right_lists(all);
+  all.triangles.update(mesh, std::vector<HitId>{5});
+  expect_right_lists(all);
+}
 
 TEST(RemadeTriangles, NothingIsAsBeforeAtFirst) {
   const Remembered all;

@@ -22,7 +22,7 @@ TEST(Envelopes, MostHitsKeepToTheirEnvelopes) {
     stage.make();
     Envelopes envelopes(stage.view(), stage.loops, stage.log);
     HitTriangles triangles(static_cast<Index>(stage.grid.hits.size()));
-    triangles.read(stage.mesh);
+    triangles.update(stage.mesh, stage.all_hits());
     std::size_t enclosed = 0;
     for (HitId hit = 0; hit < stage.grid.hits.size(); ++hit) {
       enclosed += envelopes.enclose(stage.mesh, triangles, hit) ? 1 : 0;
