@@ -55,14 +55,18 @@ class Diagonals {
   std::vector<CutQuad> find_quads() const {
     Marks shared(faces_.topology.opposite.size());
     for (const SideId side : faces_.topology.non_manifold_sides) shared.set(side);
+    std::vector<SideId> inner;  // by the lower one of two, next to sides that others share
+    for (const SideId outer : faces_.topology.non_manifold_sides) {
+      for (const SideId side : {next_side(outer), previous_side(outer)}) {
+        if (opposite(side) == kNone || shared.test(side)) continue;
+        inner.push_back(std::min(side, opposite(side)));
+      }
+    }
+    make_set(inner);
     std::vector<CutQuad> quads;
-    for (SideId side = 0; side < faces_.topology.opposite.size(); ++side) {
+    for (const SideId side : inner) {
       const SideId beyond = opposite(side);
-      if (beyond == kNone || beyond < side || shared.test(side)) continue;
-      const bool meets_others = shared.test(next_side(side)) || shared.test(previous_side(side)) ||
-                                shared.test(next_side(beyond)) ||
-                                shared.test(previous_side(beyond));
-      if (!meets_others || apex(side) == apex(beyond)) continue;
+      if (apex(side) == apex(beyond)) continue;
       CutQuad quad{{start(side), start(next_side(side)), apex(side), apex(beyond)}, side};
       std::sort(quad.points.begin(), quad.points.end());
       quads.push_back(quad);

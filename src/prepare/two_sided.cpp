@@ -14,11 +14,12 @@ struct PairedPart {
   Measure pairs;
   Measure rest;
 
+  // Of a solid with walls inside, the rest bounds the solid.
+  bool is_mostly_rest() const { return rest.area > pairs.area; }
   bool has_two_sides() const {
-    // Of a solid with walls inside, the rest bounds the solid. A box that is a thousand times as
-    // long as it is thick encloses more than this.
+    // A box that is a thousand times as long as it is thick encloses more than this.
     constexpr double kNothing = 1e-4;
-    return rest.area <= pairs.area &&
+    return !is_mostly_rest() &&
            std::abs(rest.volume) <= kNothing * rest.area * std::sqrt(rest.area);
   }
 };
@@ -36,18 +37,28 @@ Marks find_two_sided_parts(std::span<const Triangle> triangles, const std::vecto
     if (paired.test(t)) ++in_pairs[parts.find(t)];
   }
   std::vector<PairedPart> found;
+  const auto add = [&](TriangleId t, Measure& measure) {
+    const Triangle& corners = triangles[t];
+    measure.add(points[corners[0]], points[corners[1]], points[corners[2]]);
+  };
   for (TriangleId t = 0; t < triangles.size(); ++t) {
+    if (!paired.test(t)) continue;
     const TriangleId first = parts.find(t);
     if (in_pairs[first] < fewest) continue;
     Index& part = number[first];
-    const Triangle& corners = triangles[t];
     if (part == kNone) {
       part = static_cast<Index>(found.size());
       found.emplace_back();
-      found.back().pairs.centre = found.back().rest.centre = points[corners[0]];
     }
-    (paired.test(t) ? found[part].pairs : found[part].rest)
-        .add(points[corners[0]], points[corners[1]], points[corners[2]]);
+    add(t, found[part].pairs);
+  }
+  // As soon as the rest of a part is the larger one, the part is known to be a solid.
+  Marks begun(found.size());
+  for (TriangleId t = 0; t < triangles.size(); ++t) {
+    const Index part = number[parts.find(t)];
+    if (part == kNone || found[part].is_mostly_rest()) continue;
+    if (!begun.test_and_set(part)) found[part].rest.centre = points[triangles[t][0]];
+    if (!paired.test(t)) add(t, found[part].rest);
   }
   for (TriangleId t = 0; t < triangles.size(); ++t) {
     const Index part = number[parts.find(t)];
