@@ -59,7 +59,10 @@ ThickField::ThickField(std::shared_ptr<const PointField> base, std::vector<Corne
       thickness_(thickness),
       reach_(kReach * thickness) {
   triangle_boxes_.reserve(boundary_.size());
-  for (const auto& [a, b, c] : boundary_) triangle_boxes_.push_back(box_of(a, b, c));
+  for (const auto& [a, b, c] : boundary_) {
+    triangle_boxes_.push_back(box_of(a, b, c));
+    for (const Vec3& corner : {a, b, c}) grow(bounds_, corner);
+  }
   triangles_ = std::make_unique<BoxTree>(triangle_boxes_);
   find_centres(slack);
   find_thin();
@@ -77,9 +80,14 @@ void ThickField::for_each_sample(const Visit& visit) const {
 
 void ThickField::find_centres(double slack) {
   const double radius = thickness_ / 2;
+  const double clear = radius - slack;
   for_each_sample([&](const Vec3& p, const Vec3& normal, double) {
     const Vec3 centre = p + (side_ == Side::kInside ? -radius : radius) * normal;
-    if (fits(centre, radius - slack)) centres_.push_back({centre, centre});
+    if (!fits(centre, clear)) return;
+    // No boundary passes through the ball about the last centre.
+    const bool beside =
+        !centres_.empty() && (centre - centres_.back().min).squaredNorm() < clear * clear;
+    if (beside || is_on_side(centre)) centres_.push_back({centre, centre});
   });
   centre_tree_ = std::make_unique<BoxTree>(centres_);
 }
@@ -101,6 +109,14 @@ bool ThickField::fits(const Vec3& centre, double radius) const {
   };
   return triangles_->least(centre, std::numeric_limits<double>::infinity(), square, distance) >
          square;
+}
+
+// Tells whether a centre is where the balls are to fit: normals of triangles that are folded over,
+// or of slivers, lead to the other side. The base knows of no points beyond the boundary's box.
+bool ThickField::is_on_side(const Vec3& centre) const {
+  const bool within = (centre.array() >= bounds_.min.array()).all() &&
+                      (centre.array() <= bounds_.max.array()).all();
+  return (within && base_->inside(centre)) == (side_ == Side::kInside);
 }
 
 // Tells whether a centre is within reach of some point of the box.

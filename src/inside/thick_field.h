@@ -49,6 +49,7 @@ class ThickField final : public PointField {
   void find_centres(double slack);
   void find_thin();
   bool fits(const Vec3& centre, double radius) const;
+  bool is_on_side(const Vec3& centre) const;
   bool is_thick(const Vec3& p) const;
   bool some_centre_near(const Box& box) const;
 
@@ -58,6 +59,7 @@ class ThickField final : public PointField {
   double thickness_;
   double reach_;
   std::vector<Box> triangle_boxes_;
+  Box bounds_;
   std::unique_ptr<BoxTree> triangles_;
   std::vector<Box> centres_;  // points where balls fit
   std::unique_ptr<BoxTree> centre_tree_;

@@ -80,6 +80,23 @@ TEST(OpenAndClose, AThinVesselStaysOrVanishesAsAWhole) {
   }
 }
 
+// A fine grid's surface has triangles that are folded over and slivers, beside which no ball lies
+// inside either.
+TEST(OpenAndClose, AVesselVanishesHoweverFineTheGrid) {
+  const Mesh thin = vase(0.02);
+  const Mesh hollow = shapes::merged(
+      {shapes::box(Vec3(-0.6, -0.6, -0.2), Vec3(0.6, 0.6, 1.2)), shapes::inverted(thin)});
+  for (const double tolerance : {0.002, 0.001}) {
+    SCOPED_TRACE(tolerance);
+    for (const double thickness : {0.026, 3.0}) {
+      EXPECT_EQ(message_of(thin, {.tolerance = tolerance, .minimum_thickness = thickness}),
+                "EMPTY_RESULT: all of the solid is thinner than `minimum_thickness`");
+    }
+    const Grid filled = build_grid(hollow, {.tolerance = tolerance, .minimum_gap = 0.05});
+    EXPECT_EQ(check::check_mesh(extract(filled)).components, 1);
+  }
+}
+
 TEST(OpenAndClose, ALoosePlateGoesAndABridgeGoes) {
   const Mesh mesh = bridged_cubes();
   expect_unchanged(mesh, 0.02, 0);
