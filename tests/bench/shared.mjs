@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the benchmark scripts share: building the native tools, options, medians, tables.
+import { spawnSync } from 'node:child_process';
 import { mkdtempSync, readdirSync, readFileSync, rmSync, statSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { basename, extname, join, resolve } from 'node:path';
@@ -118,6 +119,29 @@ export function native(tools, folder, model, setting, { repeat = 1, subdivide = 
   const [row] = JSON.parse(readFileSync(report, 'utf8'));
   if (row.error !== undefined) throw new Error(`${model}: ${row.error}`);
   return row;
+}
+
+/**
+ * Runs the native command line, which must be built: its report, or what it said instead, and the processor time of all
+ * its threads, reading and writing included.
+ */
+export function convert(input, result, args) {
+  const program = join(root, 'build/native/src/cli/kdmanifold');
+  const command = [program, input, '-o', result, '--force', '--json', ...args];
+  // `times` prints what this shell's children took, in its second line.
+  const { stdout, stderr, status } = spawnSync(
+    'sh',
+    ['-c', '"$@"; status=$?; times >&2; exit $status', 'sh', ...command],
+    { encoding: 'utf8', maxBuffer: 1 << 28 },
+  );
+  const said = stderr.trimEnd().split('\n');
+  const seconds = [...said.pop().matchAll(/(\d+)m([\d.]+)s/g)].reduce(
+    (sum, [, minutes, rest]) => sum + 60 * Number(minutes) + Number(rest),
+    0,
+  );
+  said.pop();
+  if (status !== 0) return { refused: said.join(' '), seconds };
+  return { report: JSON.parse(stdout), seconds };
 }
 
 /** Seconds from mesh to mesh, reading left out. */

@@ -4,13 +4,12 @@
 // and welds by position to a 2-manifold mesh when it is written as STL; area lost; how far result and input are from
 // each other, both ways, in tolerances; processor time of the whole process, and how much of it goes into making the
 // result embedded.
-import { spawnSync } from 'node:child_process';
 import { join } from 'node:path';
 import { builders } from '../../scripts/build.mjs';
-import { root } from '../../scripts/run.mjs';
 import {
   buildTools,
   commandLine,
+  convert,
   measure,
   median,
   modelFiles,
@@ -27,49 +26,22 @@ const options = commandLine({
 });
 builders.native();
 const tools = buildTools(['kdm_measure']);
-const program = join(root, 'build/native/src/cli/kdmanifold');
-
-/** Runs the command line: its report, or what it said instead, and its processor time. */
-function convert(file, result, ...args) {
-  const command = [
-    program,
-    file,
-    '-o',
-    result,
-    '--force',
-    '--relative-tolerance',
-    options.tolerance,
-    '--json',
-  ];
-  // `times` prints what this shell's children took, in its second line.
-  const { stdout, stderr, status } = spawnSync(
-    'sh',
-    ['-c', '"$@"; status=$?; times >&2; exit $status', 'sh', ...command, ...args],
-    { encoding: 'utf8', maxBuffer: 1 << 28 },
-  );
-  const said = stderr.trimEnd().split('\n');
-  const seconds = [...said.pop().matchAll(/(\d+)m([\d.]+)s/g)].reduce(
-    (sum, [, minutes, rest]) => sum + 60 * Number(minutes) + Number(rest),
-    0,
-  );
-  said.pop();
-  if (status !== 0) return { refused: said.join(' '), seconds };
-  return { report: JSON.parse(stdout), seconds };
-}
+const converted = (file, result, ...args) =>
+  convert(file, result, ['--relative-tolerance', options.tolerance, ...args]);
 
 const share = (value) => (value === undefined ? '' : `${Number((100 * value).toPrecision(2))} %`);
 const times = (value) => Number(value.toPrecision(3));
 
 function rowOf(file, folder) {
   const result = join(folder, 'result.stl');
-  const { report, refused } = convert(file, result, '--check');
+  const { report, refused } = converted(file, result, '--check');
   if (refused !== undefined) return { model: nameOf(file), refused };
   const welded = measure(tools, result, undefined, ['--weld']);
   // In turn, so that a busy machine hurts both alike.
   const seconds = { embedded: [], manifold: [] };
   for (let i = 0; i < Number(options.repeat); ++i) {
     for (const strict of ['embedded', 'manifold']) {
-      seconds[strict].push(convert(file, result, '--strict', strict).seconds);
+      seconds[strict].push(converted(file, result, '--strict', strict).seconds);
     }
   }
   const whole = median(seconds.embedded);

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
-// `npm run figures -- DIR [--section NAME]... [--judge COMMAND] [--json FILE]`
+// `npm run figures -- DIR [--section NAME]... [--judge COMMAND] [--json FILE] [--out DIR]`
 // What must hold, and how far it goes, on the models of a folder. Sections: manifold (the default),
 // embedded, pairing, extraction, quality, comparison, corner, slope, memory, repair, damage, hostile,
-// solids; or all. Each is a file in `figures/`.
+// solids, figure14, figure15; paper for the last two, or all. Each is a file in `figures/`.
+// With `--out` the paper's figures leave their meshes in a folder, and pictures of them side by side.
 // The judge is a further program that knows nothing of the library: it gets a mesh file (and
 // `--ref INPUT`) and prints JSON. Exit status 1 if a figure does not hold.
-import { writeFileSync } from 'node:fs';
+import { mkdirSync, writeFileSync } from 'node:fs';
+import { resolve } from 'node:path';
 import { builders } from '../../scripts/build.mjs';
 import { buildTools, commandLine, modelFiles, nameOf, withFolder } from '../bench/shared.mjs';
 
+const paper = ['figure14', 'figure15'];
 const sections = [
   'manifold',
   'embedded',
@@ -23,18 +26,21 @@ const sections = [
   'damage',
   'hostile',
   'solids',
+  ...paper,
 ];
 const options = commandLine({
   section: { type: 'string', multiple: true, default: ['manifold'] },
   judge: { type: 'string' },
+  out: { type: 'string' },
 });
-const wanted = options.section.includes('all') ? sections : options.section;
+const groups = { all: sections, paper };
+const wanted = [...new Set(options.section.flatMap((name) => groups[name] ?? [name]))];
 const unknown = wanted.find((name) => !sections.includes(name));
 if (unknown !== undefined || options.models.length === 0) {
   console.error(
     unknown === undefined
       ? 'figures: name a folder of models'
-      : `figures: unknown section '${unknown}' (${sections.join(', ')}, all)`,
+      : `figures: unknown section '${unknown}' (${[...sections, ...Object.keys(groups)].join(', ')})`,
   );
   process.exit(2);
 }
@@ -42,6 +48,11 @@ if (unknown !== undefined || options.models.length === 0) {
 const files = modelFiles(options.models, []);
 const tools = buildTools();
 builders.package();
+const out =
+  options.out === undefined
+    ? undefined
+    : resolve(process.env.INIT_CWD ?? process.cwd(), options.out);
+if (out !== undefined) mkdirSync(out, { recursive: true });
 
 let failures = 0;
 const report = {};
@@ -49,7 +60,7 @@ for (const section of wanted) {
   console.log(`== ${section}`);
   const { default: run } = await import(`./figures/${section}.mjs`);
   const result = await withFolder((folder) =>
-    run({ files, tools, folder, judge: options.judge, find }),
+    run({ files, tools, folder, judge: options.judge, find, out }),
   );
   failures += result.failures;
   report[section] = result.rows;

@@ -5,6 +5,7 @@
 import { load } from '../../../dist/index.js';
 import { meshoptimizer } from '../../bench/engines.mjs';
 import { printTable } from '../../bench/shared.mjs';
+import { turnedBy } from '../paper_shapes.mjs';
 
 const cellsPerAxis = 64;
 const limit = 0.05;
@@ -57,22 +58,14 @@ function rotations() {
   return integers.map((q) => q.map((x) => x / Math.hypot(...q)));
 }
 
-function rotatedCube([w, x, y, z]) {
-  const matrix = [
-    [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
-    [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
-    [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
-  ];
-  const positions = [];
-  for (let number = 0; number < 8; ++number) {
-    const point = [number & 1, (number >> 1) & 1, number >> 2];
-    for (const line of matrix) positions.push(line.reduce((sum, m, i) => sum + m * point[i], 0));
-  }
+function rotatedCube(quaternion) {
+  const turn = turnedBy(quaternion);
+  const corners = Array.from({ length: 8 }, (_, n) => turn([n & 1, (n >> 1) & 1, n >> 2]));
   const faces = [
     ...[0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4],
     ...[2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5],
   ];
-  return { positions: Float64Array.from(positions), indices: Uint32Array.from(faces) };
+  return { positions: Float64Array.from(corners.flat()), indices: Uint32Array.from(faces) };
 }
 
 /** The largest distance from one of `points` to the nearest of `others`. */
