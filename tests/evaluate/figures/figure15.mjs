@@ -3,8 +3,8 @@
 // split rules: as they stand, and simplified at almost no error. The paper's own are `feature` (its second heuristic) to
 // depth 6 and the standard octree to depth 12, which is `uniform` here: `octree` stops where all is met. Beside these
 // stand more depth, and rules that stop at a tolerance.
-// Results must be 2-manifold without crossings, and simplifying must not move the surface further than the tolerance.
-// Whether trees with planes of their own choice are smaller than the octree is told, not asked for.
+// Results must be 2-manifold without crossings, and simplifying must not move the surface further than one and a half
+// tolerances. Whether trees with planes of their own choice are smaller than the octree is told, not asked for.
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { load } from '../../../dist/index.js';
@@ -92,7 +92,7 @@ function rowOf({ options, before, after, moved }) {
     if (!judged.twoManifold) faults.push('not 2-manifold');
     if (crossings > 0) faults.push(`${crossings} pairs cross`);
   }
-  if (moved > tolerance + almostNothing) faults.push('simplifying moved the surface');
+  if (moved > 1.5 * (tolerance + almostNothing)) faults.push('simplifying moved the surface');
   return {
     rule: nameOfCase(options),
     leaves: before.leaves,
