@@ -98,6 +98,44 @@ export async function manifold3d(mesh, { union = false } = {}) {
   }
 }
 
+/**
+ * Boolean operations of manifold-3d: `combine` gets the operands and a function that each of its results goes through.
+ * Operands that are not closed and manifold are refused.
+ */
+export async function manifold3dBoolean(operands, combine) {
+  const { Manifold, Mesh } = await manifoldModule();
+  const made = [];
+  const keep = (manifold) => (made.push(manifold), manifold);
+  const start = now();
+  try {
+    const solids = operands.map(({ positions, indices }) => {
+      const mesh = new Mesh({ numProp: 3, vertProperties: positions, triVerts: indices });
+      mesh.merge();
+      return keep(new Manifold(mesh));
+    });
+    const { vertProperties, triVerts } = combine(solids, keep).getMesh();
+    const seconds = now() - start;
+    return { mesh: { positions: vertProperties.slice(), indices: triVerts.slice() }, seconds };
+  } catch (error) {
+    return { refused: error.code ?? error.message };
+  } finally {
+    for (const manifold of made) manifold.delete();
+  }
+}
+
+/** Boolean operations of this library, not reduced. */
+export async function ownBoolean(operands, expression, options) {
+  const kdm = await load();
+  const start = now();
+  const grid = kdm.buildBooleanGrid(expression, operands, options);
+  try {
+    const mesh = grid.extract({ strict: 'embedded' });
+    return { mesh, seconds: now() - start };
+  } finally {
+    grid.delete();
+  }
+}
+
 /** Reduces a closed mesh within a distance; seconds are processor time. */
 export async function withinError(mesh, error) {
   const kdm = await load();

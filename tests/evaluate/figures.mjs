@@ -2,7 +2,7 @@
 // `npm run figures -- DIR [--section NAME]... [--judge COMMAND] [--json FILE] [--out DIR]`
 // What must hold, and how far it goes, on the models of a folder. Sections: manifold (the default),
 // embedded, pairing, extraction, quality, comparison, corner, slope, memory, repair, damage, hostile,
-// solids, figure13 to figure15; paper for these three, or all. Each is a file in `figures/`.
+// solids, figure13 to figure16; paper for these four, or all. Each is a file in `figures/`.
 // With `--out` the paper's figures leave their meshes in a folder, and pictures of them side by side.
 // The judge is a further program that knows nothing of the library: it gets a mesh file (and
 // `--ref INPUT`) and prints JSON. Exit status 1 if a figure does not hold.
@@ -11,7 +11,7 @@ import { resolve } from 'node:path';
 import { builders } from '../../scripts/build.mjs';
 import { buildTools, commandLine, modelFiles, nameOf, withFolder } from '../bench/shared.mjs';
 
-const paper = ['figure13', 'figure14', 'figure15'];
+const paper = ['figure13', 'figure14', 'figure15', 'figure16'];
 const sections = [
   'manifold',
   'embedded',

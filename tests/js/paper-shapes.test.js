@@ -9,7 +9,8 @@ import {
   turnedBy,
   vase,
 } from '../evaluate/paper_shapes.mjs';
-import { eulerCharacteristic, faults, volume } from './support/meshes.js';
+import { drill, turnedTwice } from '../bench/turned_twice.mjs';
+import { cube, eulerCharacteristic, faults, volume } from './support/meshes.js';
 
 const triangles = ({ indices }) => indices.length / 3;
 
@@ -88,4 +89,24 @@ test('cubes in a ring have a tunnel, and a box turned inwards takes its volume a
 test('a quaternion turns points and leaves their lengths', () => {
   expect(turnedBy([1, 0, 0, 1])([1, 2, 3])).toEqual([-2, 1, 3].map((x) => expect.closeTo(x, 12)));
   expect(Math.hypot(...turnedBy([7, 1, -2, 3])([1, 2, 3]))).toBeCloseTo(Math.hypot(1, 2, 3), 12);
+});
+
+test('a model, the same turned about its upright axis, and a cylinder through it', () => {
+  const model = cube(2, [5, 1, 0]);
+  const bounds = { min: [4, 0, -1], max: [6, 2, 1] };
+  const [same, turned, cylinder] = turnedTwice(model, bounds, 90);
+  expect(same.positions).toEqual(model.positions);
+  for (const mesh of [turned, cylinder]) expect(faults(mesh)).toEqual([]);
+  expect(volume(turned)).toBeCloseTo(8, 5);
+  // A quarter of a turn: x becomes -z, and z becomes x, round the middle.
+  model.positions.forEach((x, i) => {
+    const at = 3 * Math.floor(i / 3);
+    const [px, py, pz] = [0, 1, 2].map((k) => model.positions[at + k] - [5, 1, 0][k]);
+    expect(turned.positions[i]).toBeCloseTo([5 + pz, 1 + py, -px][i % 3], 5);
+  });
+  const sides = 64;
+  const circle = (sides / 2) * Math.sin((2 * Math.PI) / sides);
+  expect(volume(drill(2, 3, sides))).toBeCloseTo(12 * circle, 4);
+  const size = Math.hypot(2, 2, 2);
+  expect(volume(cylinder)).toBeCloseTo(circle * (size / 12) ** 2 * 2 * size, 4);
 });
