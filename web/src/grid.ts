@@ -132,7 +132,8 @@ export class Grid {
    * Makes the grid smaller: splits of the kd-tree are removed, the cheapest first, as long as no part of the surface and
    * no handle comes or goes and the surface stays within `surfaceError` of what it was when the grid was built (section 4
    * of the paper). The grid then takes less memory and fewer bytes, and `extract` makes fewer triangles of it. For few
-   * triangles alone, `extract({ reduce })` does far more.
+   * triangles alone, `extract({ reduce })` does far more. Vertices that `extract` adds are not tested: where a grid was
+   * stopped by its depth, those between cells (`linkError`) may be further off.
    *
    * With `removedMaterial` or `addedMaterial`, thin bodies go first, or thin cavities are filled, and are counted: the
    * grid's surface then has `removedSurfaces` closed surfaces and `removedHandles` handles less, crumbs included, which
