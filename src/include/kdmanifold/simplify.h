@@ -47,11 +47,11 @@ struct SimplifyReport {
 /// handle comes or goes and the surface stays within the distance: points of the mesh that
 /// `extract` made of the grid before the call, and points of the new one, twice the distance apart,
 /// are tested against each other. Between these points it may be a little further off. Not tested
-/// are vertices that `extract` adds afterwards, to embed a mesh, to keep it manifold, or where edges
-/// pass between cells (`link_error`). The last may be well off in a grid that was stopped by its
-/// depth: 2 % of the model's size were measured on one without a tolerance. The new
-/// vertices are where the planes of all hits that they stand for are met best, and the grid keeps
-/// them: `extract` places them there, also when the grid was saved.
+/// are vertices that `extract` adds afterwards, to embed a mesh, to keep it manifold, or where
+/// edges pass between cells (`link_error`). The last may be well off in a grid that was stopped by
+/// its depth: 2 % of the model's size were measured on one without a tolerance. The new vertices
+/// are where the planes of all hits that they stand for are met best, and the grid keeps them:
+/// `extract` places them there, also when the grid was saved.
 ///
 /// Before the first split, what is thin goes if `removed_material` or `added_material` is above 0,
 /// and is counted exactly: the grid's surface then has `removed_surfaces` closed surfaces and
