@@ -48,6 +48,14 @@ export default ts.config(
     languageOptions: { globals: node },
   },
   {
+    // Parts of what Emscripten generates.
+    files: ['wasm/*.js'],
+    languageOptions: {
+      globals: { LibraryManager: 'readonly', Module: 'readonly', mergeInto: 'readonly' },
+    },
+    rules: { '@typescript-eslint/no-unused-vars': 'off' },
+  },
+  {
     files: ['tests/js/**/*.js'],
     languageOptions: {
       globals: {

@@ -2,7 +2,7 @@
 // `npm run bench`: sets up and hands over to tests/bench/bench.mjs, with the same arguments;
 // `npm run bench -- --compare COMMIT` to compare.mjs, `--cold-start` to cold_start.mjs, `--peers` to peers.mjs,
 // `--solids` to solids.mjs, `--counts` to counts.mjs, `--reduce` to reduce.mjs,
-// `--drag` to drag.mjs, `--whole` to whole.mjs.
+// `--drag` to drag.mjs, `--whole` to whole.mjs, `--threads` to threads.mjs.
 import { run, setup } from './run.mjs';
 
 setup('wasm', 'native', 'test');
@@ -16,6 +16,7 @@ const others = {
   '--reduce': 'reduce',
   '--drag': 'drag',
   '--whole': 'whole',
+  '--threads': 'threads',
 };
 const script = others[first] ?? 'bench';
 const args = first in others ? rest : process.argv.slice(2);

@@ -56,6 +56,12 @@ export function emscriptenEnvironment(libraries = '/usr/share/nodejs') {
   return { NODE_PATH: given ? [given, libraries].join(delimiter) : libraries };
 }
 
+/** What Emscripten makes. */
+const wasmFiles = [
+  ...['kdmanifold.js', 'kdmanifold.wasm', 'kdmanifold-tools.js', 'kdmanifold-tools.wasm'],
+  ...['kdmanifold-threads.js', 'kdmanifold-threads.wasm', 'kdmanifold-threads.worker.js'],
+];
+
 export const builders = {
   native() {
     setup('native');
@@ -68,7 +74,7 @@ export const builders = {
     cmake('build/wasm', ['CMAKE_BUILD_TYPE=Release', 'KDM_UNITY=ON', 'KDM_BUILD_WASM=ON'], {
       wrapper: ['emcmake'],
       env: emscriptenEnvironment(),
-      targets: ['kdm_wasm', 'kdm_wasm_tools'],
+      targets: ['kdm_wasm', 'kdm_wasm_tools', 'kdm_wasm_threads'],
     });
   },
   /** The wrapper, file by file, with the module: for what the package is made of, and for tests of its parts. */
@@ -76,10 +82,8 @@ export const builders = {
     builders.wasm();
     rmSync(`${root}/build/js`, { recursive: true, force: true });
     tool('tsc', ['-p', 'tsconfig.build.json']);
-    for (const module of ['kdmanifold', 'kdmanifold-tools']) {
-      for (const name of [`${module}.js`, `${module}.wasm`]) {
-        copyFileSync(`${root}/build/wasm/wasm/${name}`, `${root}/build/js/${name}`);
-      }
+    for (const name of wasmFiles) {
+      copyFileSync(`${root}/build/wasm/wasm/${name}`, `${root}/build/js/${name}`);
     }
   },
   /** From nothing, so that no file stays in the package whose source is gone. */

@@ -42,11 +42,17 @@ function shrink(path) {
   );
 }
 
+// Takes the addresses of files out of a glue that is told what they hold, so that bundlers look for none.
+function forgetFiles(glue) {
+  const address = /new URL\("[^"]*",import\.meta\.url\)/g;
+  writeFileSync(glue, readFileSync(glue, 'utf8').replace(address, '""'));
+}
+
 /** Bundles modules, worker and CommonJS, and adds the WebAssembly files and the types of both. */
 export function bundlePackage() {
   mkdirSync(to, { recursive: true });
   // Emscripten's glue has no such comments, and shrinks by a quarter.
-  for (const name of ['kdmanifold.js', 'kdmanifold-tools.js']) {
+  for (const name of ['kdmanifold.js', 'kdmanifold-tools.js', 'kdmanifold-threads.js']) {
     const glue = `${from}/${name}`;
     tool('esbuild', [
       glue,
@@ -62,6 +68,8 @@ export function bundlePackage() {
   );
   // In one piece, so that it works wherever it is copied to.
   bundle(['worker/serve'], ...['--format=esm', `--outfile=${to}/kdmanifold-worker.js`]);
+  forgetFiles(`${from}/kdmanifold-threads.js`);
+  bundle(['threads/module'], ...['--format=esm', `--outfile=${to}/kdmanifold-threads.js`]);
   for (const name of readdirSync(to)) {
     if (name.endsWith('.js')) shrink(`${to}/${name}`);
   }
@@ -72,7 +80,7 @@ export function bundlePackage() {
     ...['--define:import.meta.url=kdmModuleUrl', `--banner:js=${moduleUrl}`],
   );
   writeFileSync(`${to}/cjs/package.json`, '{ "type": "commonjs" }\n');
-  for (const name of ['kdmanifold.wasm', 'kdmanifold-tools.wasm']) {
+  for (const name of ['kdmanifold.wasm', 'kdmanifold-tools.wasm', 'kdmanifold-threads.wasm']) {
     copyFileSync(`${from}/${name}`, `${to}/${name}`);
   }
   chmodSync(`${to}/cli.js`, 0o755);

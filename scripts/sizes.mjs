@@ -9,6 +9,10 @@ import { root } from './run.mjs';
 /** What loads a part of the package, and what is fetched beside the modules that it imports. */
 export const parts = {
   'making manifolds': { from: ['index.js', 'kdmanifold-worker.js'], beside: ['kdmanifold.wasm'] },
+  'several threads, in place of kdmanifold.wasm': {
+    from: ['kdmanifold-threads.js'],
+    beside: ['kdmanifold-threads.wasm'],
+  },
   tools: { from: [], beside: ['kdmanifold-tools.wasm'] },
   three: { from: ['three.js'], beside: [] },
 };

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: MIT
-// What the main module exports, and nothing else: all that making a manifold takes.
+// What the main module exports, and nothing else: all that making a manifold takes. With threads
+// there are two functions more.
 #include <emscripten/bind.h>
 
 #include "instance.h"
 #include "module.h"
+
+#ifdef __EMSCRIPTEN_PTHREADS__
+#include "threads/thread_pool.h"
+#endif
 
 EMSCRIPTEN_BINDINGS(kdmanifold) {
   using namespace emscripten;
@@ -33,4 +38,10 @@ EMSCRIPTEN_BINDINGS(kdmanifold) {
   function("findSelfIntersections", &kdm::wasm::find_self_intersections);
   function("memory", &kdm::wasm::memory);
   function("version", &kdm::wasm::version);
+#ifdef __EMSCRIPTEN_PTHREADS__
+  function("setThreadCount", &kdm::set_thread_count);
+  // The address of a number.
+  function(
+      "lostThreads", +[] { return reinterpret_cast<std::uintptr_t>(&kdm::ThreadPool::lost); });
+#endif
 }

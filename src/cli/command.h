@@ -121,7 +121,7 @@ void for_each_field(Options& report, Visit&& visit) {
       OptionField{.name = "threads",
                   .letter = "N",
                   .help = "how many threads share the work; results are the same with any number. "
-                          "In WebAssembly it is one, whatever is asked for",
+                          "In Node the default is at most 16",
                   .range = {.least = 1, .most = kMostThreads},
                   .unset = "as many as the machine runs at once"},
       report.threads);

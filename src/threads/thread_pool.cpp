@@ -6,6 +6,8 @@
 #include "threads/thread_pool.h"
 
 #include <algorithm>
+#include <chrono>
+#include <cstdlib>
 #include <system_error>
 #include <utility>
 
@@ -36,11 +38,30 @@ bool ThreadPool::run(std::size_t tasks, int threads, const Work& work) {
   }
   begun_.notify_all();
   do_tasks(0);
-  std::unique_lock lock(mutex_);
-  ended_.wait(lock, [&] { return busy_ == 0; });
+  wait_for_helpers();
   if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
   return true;
 }
+
+#ifdef __EMSCRIPTEN__
+
+std::atomic<int> ThreadPool::lost = 0;
+
+void ThreadPool::wait_for_helpers() {
+  std::unique_lock lock(mutex_);
+  while (!ended_.wait_for(lock, std::chrono::milliseconds(100), [&] { return busy_ == 0; })) {
+    if (lost != 0) std::abort();
+  }
+}
+
+#else
+
+void ThreadPool::wait_for_helpers() {
+  std::unique_lock lock(mutex_);
+  ended_.wait(lock, [&] { return busy_ == 0; });
+}
+
+#endif
 
 // Where the machine gives no more threads, those that there are do the work.
 void ThreadPool::start_threads(int threads) {

@@ -43,7 +43,7 @@ const tools = buildTools();
 builders.package();
 const { runWasm, meshoptimizer, manifold3d } = await import('./engines.mjs');
 const { load } = await import('../../dist/index.js');
-const kdm = await load();
+const kdm = await load({ threads: 1 });
 
 await withFolder(async (folder) => {
   if (options.models.length === 0) run(join(tools, 'kdm_bench'), ['--export', folder]);

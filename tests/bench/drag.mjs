@@ -14,7 +14,7 @@ const steps = Number(options.steps);
 builders.package();
 const { load } = await import('../../dist/index.js');
 const { torus } = await import('../js/support/meshes.js');
-const kdm = await load();
+const kdm = await load({ threads: 1 });
 
 const kinds = {
   'rough (manifold)': { strict: 'manifold', reduce: false },

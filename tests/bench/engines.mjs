@@ -28,7 +28,7 @@ function timed(seconds, firstPhase, work) {
 
 /** One run of mesh -> grid -> mesh in WebAssembly. */
 export async function runWasm(bytes, format, setting) {
-  const kdm = await load();
+  const kdm = await load({ threads: 1 });
   const seconds = {};
   const start = now();
   const input = timed(seconds, 'read', () => kdm.parseMesh(bytes, format));
@@ -138,7 +138,7 @@ export async function ownBoolean(operands, expression, options) {
 
 /** Reduces a closed mesh within a distance; seconds are processor time. */
 export async function withinError(mesh, error) {
-  const kdm = await load();
+  const kdm = await load({ threads: 1 });
   const start = now();
   const { mesh: few } = kdm.simplifyMesh(mesh, { error });
   return { mesh: few, seconds: now() - start };
@@ -147,7 +147,7 @@ export async function withinError(mesh, error) {
 /** Reduces a closed mesh by count, by each of those who can; seconds are processor time. */
 export const reducers = {
   async kdmanifold(mesh, triangles) {
-    const kdm = await load();
+    const kdm = await load({ threads: 1 });
     const start = now();
     const { mesh: few } = kdm.simplifyMesh(mesh, { targetTriangles: [triangles] });
     return { mesh: few, seconds: now() - start };

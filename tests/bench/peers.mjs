@@ -12,7 +12,7 @@ builders.package();
 const { load } = await import('../../dist/index.js');
 const { manifold3d, meshoptimizer } = await import('./engines.mjs');
 const { cube, faults, together, torus, volume } = await import('../js/support/meshes.js');
-const kdm = await load();
+const kdm = await load({ threads: 1 });
 
 const whole = torus(128, 64);
 const random = randomNumbers(7);

@@ -26,7 +26,7 @@ const repeat = Number(options.repeat);
 builders.package();
 const { load } = await import('../../dist/index.js');
 const { reducers, withinError } = await import('./engines.mjs');
-const kdm = await load();
+const kdm = await load({ threads: 1 });
 
 /** A mesh of as many triangles as asked for that crosses itself nowhere: a finer one, reduced. */
 function fineMesh(file) {

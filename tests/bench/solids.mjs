@@ -19,7 +19,7 @@ const { formatFromPath, load } = await import('../../dist/index.js');
 const { manifold3dBoolean, ownBoolean } = await import('./engines.mjs');
 const { turnedTwice } = await import('./turned_twice.mjs');
 const { faults, torus, volume } = await import('../js/support/meshes.js');
-const kdm = await load();
+const kdm = await load({ threads: 1 });
 
 const [path] = positionals;
 const model = path

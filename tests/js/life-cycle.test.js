@@ -111,7 +111,7 @@ test('worker: false works on the calling thread without a word', () => {
   expect(
     script(`
     await preload();
-    const { report } = await makeManifold(mesh(), { worker: false });
+    const { report } = await makeManifold(mesh(), { worker: false, threads: 1 });
     console.log(report.thread, started.length);`),
   ).toEqual(clean('main 1'));
 });

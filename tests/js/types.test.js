@@ -55,13 +55,14 @@ const { mesh, report } = await makeManifold({ positions: new Float32Array(9) }, 
 const result: Mesh = mesh;
 const positions: Float32Array = result.positions;
 const thread: 'worker' | 'main' = report.thread;
+const threads: number = report.threads;
 const grid = (await load()).buildGrid({ positions });
 grid[Symbol.dispose]();
 await preload();
 await close();
 // @ts-expect-error no such place
 const nowhere: 'nowhere' = report.thread;
-export { KdManifoldError, nowhere, positions, thread };
+export { KdManifoldError, nowhere, positions, thread, threads };
 `;
 const commonJs = `
 import { makeManifold } from 'kdmanifold';

@@ -109,7 +109,7 @@ export async function runCli(args: string[]): Promise<number> {
       process.stdout.write(helpText);
       return 0;
     }
-    const library = await load();
+    const library = await load({ threads: command.answer ? 1 : command.report.threads });
     if (command.answer === 'version') {
       process.stdout.write(`kdmanifold ${library.version}\n`);
       return 0;

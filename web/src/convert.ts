@@ -170,6 +170,7 @@ function convert(
         seconds: laps.seconds,
         peakBytes: library.memory().heapBytes,
         thread: 'main',
+        threads: library.threads,
       },
     };
   } finally {
@@ -192,6 +193,7 @@ function simplify(
       seconds: (performance.now() - started) / 1000,
       peakBytes: library.memory().heapBytes,
       thread: 'main',
+      threads: library.threads,
     },
   };
 }

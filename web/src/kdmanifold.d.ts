@@ -92,13 +92,21 @@ export interface RawModule extends RawInstance {
 /** Makes an instance of a module; the glue's default export. */
 export type CreateModule<Raw> = (settings: ModuleSettings) => Promise<Raw>;
 
-export interface ModuleSettings {
+export interface ModuleSettings extends Partial<ThreadSettings> {
   instantiateWasm(
     imports: WebAssembly.Imports,
     receive: (instance: WebAssembly.Instance, module: WebAssembly.Module) => void,
   ): object;
   print?(text: string): void;
   printErr?(text: string): void;
+}
+
+/** What kdmanifold-threads takes besides (wasm/own_worker.js). */
+export interface ThreadSettings {
+  /** How many threads there are besides the calling one. */
+  helpers: number;
+  /** Starts a thread, whatever address it is given. */
+  Worker: new () => object;
 }
 
 declare const createModule: CreateModule<RawModule>;

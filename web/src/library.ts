@@ -70,6 +70,9 @@ export function namesAGrid(path: string): boolean {
   return /\.kdgrid$/i.test(path);
 }
 
+/** Ends the threads of instances that nobody can use any more. */
+const abandoned = new FinalizationRegistry<() => void>((end) => end());
+
 /** The library, loaded: everything happens on the calling thread and is done when it returns. */
 export class KdManifold {
   readonly #raw: RawModule;
@@ -81,12 +84,19 @@ export class KdManifold {
   });
 
   /** @internal */
-  static of(raw: RawModule): KdManifold {
-    return new KdManifold(raw);
+  static of(raw: RawModule, threads = 1, endThreads?: () => void): KdManifold {
+    return new KdManifold(raw, threads, endThreads);
   }
 
-  private constructor(raw: RawModule) {
+  private constructor(
+    raw: RawModule,
+    /** How many threads share the work of a call. */
+    readonly threads: number,
+    endThreads?: () => void,
+  ) {
     this.#raw = raw;
+    // Grids and scenes hold it, too.
+    if (endThreads) abandoned.register(this.#health, endThreads);
   }
 
   /** @internal Whether file formats and `analyze` are there. */

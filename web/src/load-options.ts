@@ -22,6 +22,13 @@ export interface LoadOptions {
    * `makeManifold` never needs them.
    */
   tools?: boolean;
+  /**
+   * How many threads share the work of one call, a whole number from 1 to 256; the result is the same with any number.
+   * The default is as many as the machine runs at once, but no more than 16, divided by `concurrency`. Where threads
+   * cannot share memory there is one: pages that are not cross-origin isolated, `load` on a page's own thread, and
+   * where `wasmUrl` or `wasmBinary` is given. `report.threads` says how many there were.
+   */
+  threads?: number;
 }
 
 /** Where conversions are done. */
@@ -44,6 +51,7 @@ export const sourceKeys = [
   'toolsWasmBinary',
   'toolsWasmUrl',
   'tools',
+  'threads',
   'workerUrl',
   'worker',
   'concurrency',
@@ -61,7 +69,7 @@ const isAddress = (value: unknown): boolean =>
 
 /** @internal Checks and returns the options that say where from. */
 export function checkSource(options: LoadOptions & WorkerOptions): Source {
-  const { worker, concurrency = 1, tools = true } = options;
+  const { worker, concurrency = 1, tools = true, threads } = options;
   for (const name of ['wasmUrl', 'toolsWasmUrl', 'workerUrl'] as const) {
     const value = options[name];
     if (value !== undefined && !isAddress(value)) refuse(name, 'a string or a URL');
@@ -76,13 +84,18 @@ export function checkSource(options: LoadOptions & WorkerOptions): Source {
   if (worker !== undefined && worker !== false && !isWorker(worker)) {
     refuse('worker', 'a Worker, a function that starts one, or false');
   }
-  if (!Number.isInteger(concurrency) || concurrency < 1 || concurrency > 64) {
-    refuse('concurrency', `a whole number from 1 to 64, got ${String(concurrency)}`);
-  }
+  checkCount('concurrency', concurrency, 64);
+  if (threads !== undefined) checkCount('threads', threads, 256);
   if (concurrency > 1 && typeof worker === 'object') {
     refuse('worker', `a function that starts workers, as concurrency is ${concurrency}`);
   }
   return { ...pick(options, sourceKeys), tools, concurrency };
+}
+
+function checkCount(name: string, value: number, most: number): void {
+  if (!Number.isInteger(value) || value < 1 || value > most) {
+    refuse(name, `a whole number from 1 to ${most}, got ${String(value)}`);
+  }
 }
 
 function isBinary(value: unknown): boolean {

@@ -1,22 +1,24 @@
 // SPDX-License-Identifier: MIT
 // The library on the calling thread, and the compiled module that it shares with the workers.
+import { open, type Artefact } from './artefact.js';
 import { instantiate } from './instantiate.js';
-// Neither glue is fetched later on its own: workers in the form of classic scripts cannot.
+// Not fetched later on its own: workers in the form of classic scripts cannot.
 import createTools from './kdmanifold-tools.js';
-import createModule from './kdmanifold.js';
-import { KdManifold } from './library.js';
-import { checkSource, type LoadOptions } from './load-options.js';
-import { compileFile, type WasmFile } from './wasm-file.js';
+import type { KdManifold } from './library.js';
+import { checkSource, type LoadOptions, type Source } from './load-options.js';
+import { threadsFor } from './threads/count.js';
+import { addressOf, compileFile, type WasmFile } from './wasm-file.js';
 
 const compiled = new Map<WasmFile, Promise<WebAssembly.Module>>();
 let loaded: Promise<KdManifold> | undefined;
 let current: KdManifold | undefined;
 
 /**
- * Loads the library onto the calling thread. The first call decides where from; later ones give the
- * same object, until `close`.
+ * Loads the library onto the calling thread. The first call decides where from, and with how many
+ * threads; later ones give the same object, until `close`.
  *
- * @param options - where the WebAssembly files come from, if not from beside the package's files
+ * @param options - where the WebAssembly files come from, if not from beside the package's files; how many threads share
+ * the work
  * @returns the library; its functions are done when they return
  * @throws {@link KdManifoldError} with `LOAD_FAILED`, whose message says what to do; the next call tries again
  *
@@ -42,7 +44,7 @@ export async function load(options: LoadOptions = {}): Promise<KdManifold> {
 }
 
 /** @internal The same without file formats and `analyze`. */
-export function loadMain(source: LoadOptions): Promise<KdManifold> {
+export function loadMain(source: Source): Promise<KdManifold> {
   if (current?.broken) loaded = current = undefined;
   loaded ??= start(source).catch((error: unknown) => {
     loaded = undefined;
@@ -51,14 +53,33 @@ export function loadMain(source: LoadOptions): Promise<KdManifold> {
   return loaded;
 }
 
-async function start(source: LoadOptions): Promise<KdManifold> {
-  current = KdManifold.of(await instantiate(createModule, await compile(source)));
+async function start(source: Source): Promise<KdManifold> {
+  const artefact = await compile(source, await threadsFor(source, true));
+  current = await open(artefact).catch(async (error: unknown) => {
+    if (artefact.threads === 1) throw error;
+    return open(await compile(source, 1));
+  });
   return current;
 }
 
-/** @internal Compiles the main module, once; workers are given the result. */
-export const compile = (source: LoadOptions): Promise<WebAssembly.Module> =>
-  compileOnce('kdmanifold.wasm', source);
+/**
+ * @internal Compiles the main module, once; workers are given the result. Where the one with several threads cannot be
+ * had, as where a bundler has not followed, it is the other, which does the same.
+ */
+export async function compile(source: LoadOptions, threads: number): Promise<Artefact> {
+  if (threads > 1) {
+    try {
+      const [module, { href }] = await Promise.all([
+        compileOnce('kdmanifold-threads.wasm', source),
+        addressOf('kdmanifold-threads.js', source),
+      ]);
+      return { module, threads, glue: href };
+    } catch {
+      // Below.
+    }
+  }
+  return { module: await compileOnce('kdmanifold.wasm', source), threads: 1, glue: null };
+}
 
 /** The module of tools, or why there is none: who converts only can do without. */
 const compileTools = (source: LoadOptions): Promise<WebAssembly.Module | Error> =>

@@ -236,11 +236,14 @@ export interface Report {
   peakBytes: number;
   /** Who did it: a worker, or (`main`) the thread that called, which could do nothing else meanwhile. */
   thread: 'worker' | 'main';
+  /** How many threads shared the work. */
+  threads: number;
 }
 
 /** What `simplifyMesh` gives. */
 export interface Simplification extends Simplified {
-  report: Simplified['report'] & Pick<Report, 'peakBytes' | 'thread'> & { seconds: number };
+  report: Simplified['report'] &
+    Pick<Report, 'peakBytes' | 'thread' | 'threads'> & { seconds: number };
 }
 
 /** What `makeManifold` and `boolean` give. */

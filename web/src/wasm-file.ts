@@ -6,7 +6,7 @@ import type { LoadOptions } from './load-options.js';
 import { movedAddress, nodeAddress } from './package-address.js';
 
 /** @internal The names of the files. */
-export type WasmFile = 'kdmanifold.wasm' | 'kdmanifold-tools.wasm';
+export type WasmFile = 'kdmanifold.wasm' | 'kdmanifold-threads.wasm' | 'kdmanifold-tools.wasm';
 
 /** @internal Compiles a file; rejects with `LOAD_FAILED`. */
 export async function compileFile(
@@ -80,17 +80,27 @@ async function compileFrom(url: URL): Promise<WebAssembly.Module> {
   return compileBytes(bytes);
 }
 
-async function addressOf(file: WasmFile, { wasmUrl, toolsWasmUrl }: LoadOptions): Promise<URL> {
-  const tools = file === 'kdmanifold-tools.wasm';
-  const given = tools ? toolsWasmUrl : wasmUrl;
+/** @internal Returns the address of a file: what the caller says, else where the package has it. */
+export async function addressOf(
+  file: WasmFile | 'kdmanifold-threads.js',
+  { wasmUrl, toolsWasmUrl }: LoadOptions,
+): Promise<URL> {
+  const given = file === 'kdmanifold-tools.wasm' ? toolsWasmUrl : wasmUrl;
   if (given !== undefined) return resolveAddress(given);
   if (isNode()) return nodeAddress(file);
   const moved = movedAddress(file);
   if (moved !== null) return new URL(moved);
   // Bundlers recognise these very forms, put the files among theirs and write their addresses here.
-  return tools
-    ? new URL('./kdmanifold-tools.wasm', import.meta.url)
-    : new URL('./kdmanifold.wasm', import.meta.url);
+  switch (file) {
+    case 'kdmanifold.wasm':
+      return new URL('./kdmanifold.wasm', import.meta.url);
+    case 'kdmanifold-tools.wasm':
+      return new URL('./kdmanifold-tools.wasm', import.meta.url);
+    case 'kdmanifold-threads.wasm':
+      return new URL('./kdmanifold-threads.wasm', import.meta.url);
+    case 'kdmanifold-threads.js':
+      return new URL('./kdmanifold-threads.js', import.meta.url);
+  }
 }
 
 const compileBytes = (bytes: BufferSource): Promise<WebAssembly.Module> =>

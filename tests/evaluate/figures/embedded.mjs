@@ -12,7 +12,7 @@ import { closedModels, contentOf, median, nameOf, printTable, sizes } from '../.
 const repeat = 5;
 
 export default async function embedded({ folder, judge, find }) {
-  const kdm = await load();
+  const kdm = await load({ threads: 1 });
   const rows = [];
   for (const file of find(closedModels)) {
     const input = kdm.parseMesh(...contentOf(file));

@@ -17,11 +17,13 @@ export const strictPolicy =
 
 /**
  * Serves `folder`; `headers` go with every answer. `instead` holds contents by path that stand in place of files;
- * null: there is none; a page is told as such. Resolves to {address, close}.
+ * null: there is none; a page is told as such. Resolves to {address, requested, close}; `requested` lists the paths so far.
  */
 export function serve(folder, headers = {}, instead = {}) {
+  const requested = [];
   const server = createServer(async (request, response) => {
     const path = new URL(request.url, 'http://local').pathname;
+    requested.push(path);
     const file = join(folder, normalize(path.endsWith('/') ? `${path}index.html` : path));
     try {
       const content = path in instead ? instead[path] : await readFile(file);
@@ -38,6 +40,7 @@ export function serve(folder, headers = {}, instead = {}) {
     server.listen(0, '127.0.0.1', () => {
       resolve({
         address: `http://127.0.0.1:${server.address().port}`,
+        requested,
         close: () => new Promise((done) => server.close(done).closeAllConnections()),
       });
     });

@@ -7,6 +7,7 @@ import { aborted, KdManifoldError } from '../errors.js';
 import { loadMain, unload } from '../load.js';
 import type { Source } from '../load-options.js';
 import type { Signal } from '../outside-types.js';
+import { threadsFor } from '../threads/count.js';
 import type { Conversion, ProgressCallback, Simplification } from '../types.js';
 import { converse } from './converse.js';
 import type { WorkerPort } from './protocol.js';
@@ -40,6 +41,8 @@ interface Seat {
   port: Promise<WorkerPort | null>;
   /** What the caller said of it: `workerUrl` or `worker`. */
   origin: unknown;
+  /** How many threads it was to have. */
+  threads: number;
 }
 
 /** Workers without work. */
@@ -76,8 +79,10 @@ export async function warmUp(source: Source): Promise<void> {
     await loadMain(source);
     return;
   }
-  while (spare.filter((seat) => suits(seat, source)).length + working.size < source.concurrency) {
-    keep(launch(source));
+  const threads = await threadsFor(source);
+  const fit = (seat: Seat): boolean => suits(seat, source, threads);
+  while (spare.filter(fit).length + working.size < source.concurrency) {
+    keep(launch(source, threads));
   }
   const ports = await Promise.all(spare.map(({ port }) => port));
   if (ports.includes(null)) await loadMain(source);
@@ -116,7 +121,7 @@ function pump(): void {
 async function perform(task: Task): Promise<void> {
   const { job } = task;
   try {
-    const seat = job.source.worker === false ? null : (take(job.source) ?? launch(job.source));
+    const seat = job.source.worker === false ? null : await sit(job.source);
     const port = await seat?.port;
     if (task.settled) {
       if (seat && port) keep(seat);
@@ -161,24 +166,29 @@ const originOf = ({ worker, workerUrl }: Source): unknown =>
   worker ?? (workerUrl && textOf(workerUrl));
 
 /** Says whether the worker is one that the caller would have: of those it did not speak of, any will do. */
-function suits(seat: Seat, source: Source): boolean {
+function suits(seat: Seat, source: Source, threads: number): boolean {
   const wanted = originOf(source);
-  return wanted === undefined || wanted === seat.origin;
+  return threads === seat.threads && (wanted === undefined || wanted === seat.origin);
 }
 
-function take(source: Source): Seat | undefined {
-  const seat = spare.find((other) => suits(other, source));
+/** Takes a worker that suits, or starts one. */
+async function sit(source: Source): Promise<Seat> {
+  const threads = await threadsFor(source);
+  const seat = spare.find((other) => suits(other, source, threads));
   spare = spare.filter((other) => other !== seat);
-  return seat;
+  return seat ?? launch(source, threads);
 }
 
-function launch(source: Source): Seat {
-  return { origin: originOf(source), port: open(source) };
+function launch(source: Source, threads: number): Seat {
+  return { origin: originOf(source), threads, port: openWith(source, threads) };
 }
 
 /** Starts a worker outside of the line; null: none can be started, which is told once. */
-export async function open(source: Source): Promise<WorkerPort | null> {
-  const started = await start(source);
+export const open = async (source: Source): Promise<WorkerPort | null> =>
+  openWith(source, await threadsFor(source));
+
+async function openWith(source: Source, threads: number): Promise<WorkerPort | null> {
+  const started = await start(source, threads);
   if ('port' in started) return started.port;
   if (!warned) {
     warned = true;

@@ -4,6 +4,7 @@ import { isNode, nodeModule, resolveAddress } from '../environment.js';
 import type { WorkerOptions } from '../load-options.js';
 import type { WorkerLike } from '../outside-types.js';
 import { movedAddress, neighbour, nodeAddress } from '../package-address.js';
+import { openAddress } from './open-address.js';
 import type { Reply, WorkerPort } from './protocol.js';
 
 const file = 'kdmanifold-worker.js';
@@ -46,20 +47,6 @@ async function openWebWorker({ workerUrl }: WorkerOptions): Promise<Worker> {
     if (address === null) throw error;
     return openAddress(address);
   }
-}
-
-/** Starts a worker from an address. One of another origin may not be started, but imported by one that is. */
-function openAddress(url: URL): Worker {
-  const { origin } = globalThis.location;
-  if (!/^https?:$/.test(url.protocol) || url.origin === origin) {
-    return new Worker(url, { type: 'module' });
-  }
-  const code = new Blob([`import ${JSON.stringify(url.href)};`], { type: 'text/javascript' });
-  const start = URL.createObjectURL(code);
-  const worker = new Worker(start, { type: 'module' });
-  // Long after it has been read.
-  setTimeout(() => URL.revokeObjectURL(start), 60_000);
-  return worker;
 }
 
 /**

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // What the two ends of the worker say to each other.
+import type { Artefact } from '../artefact.js';
 import type { Order, Outcome } from '../convert.js';
 import type { ErrorCode } from '../errors.js';
 
-/** To the worker: the compiled module once, then one conversion after the other. */
-export type Request =
-  { type: 'start'; module: WebAssembly.Module } | { type: 'order'; order: Order };
+/** To the worker: the compiled module, once unless it cannot be started, then one conversion after the other. */
+export type Request = { type: 'start'; artefact: Artefact } | { type: 'order'; order: Order };
 
-/** From the worker: one `ready`, then for each conversion `progress`, and `done` or `failed`. */
+/** From the worker: `ready`, or `failed` if the module cannot be started, then for each conversion `progress`, and `done` or `failed`. */
 export type Reply =
   | { type: 'ready' }
   | { type: 'progress'; fraction: number; phase: string }

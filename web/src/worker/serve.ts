@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The worker's end of the protocol: a module worker in browsers, a worker thread in Node. This file
 // becomes kdmanifold-worker.js, in one piece, which needs no other file of the package.
+import { open } from '../artefact.js';
 import { buffersOf, fulfil, type Kept } from '../convert.js';
 import { isNode, nodeModule } from '../environment.js';
 import { KdManifoldError } from '../errors.js';
-import { instantiate } from '../instantiate.js';
-import createModule from '../kdmanifold.js';
-import { KdManifold } from '../library.js';
+import type { KdManifold } from '../library.js';
 import type { Reply, Request } from './protocol.js';
 
 // TypeScript knows the types of a page or of a worker, never both at a time.
@@ -26,7 +25,7 @@ function serve(post: Post): (request: Request) => Promise<void> {
   return async (request) => {
     try {
       if (request.type === 'start') {
-        library = KdManifold.of(await instantiate(createModule, request.module));
+        library = await open(request.artefact);
         post({ type: 'ready' });
         return;
       }

@@ -2,6 +2,7 @@
 // Starts a worker and hands it the compiled module, or finds out why that cannot be.
 import { isNode } from '../environment.js';
 import type { Source } from '../load-options.js';
+import type { Artefact } from '../artefact.js';
 import { compile } from '../load.js';
 import { openWorker } from './ports.js';
 import type { WorkerPort } from './protocol.js';
@@ -12,16 +13,22 @@ export type Start = { port: WorkerPort } | { reason: string };
 // Milliseconds that a worker may take from its start to its first word, its script's loading included.
 const patience = 60_000;
 
-/** Starts one worker while the module is compiled. Rejects if the module cannot be had. */
-export async function start(source: Source): Promise<Start> {
+/** Starts one worker, with so many threads, while the module is compiled. Rejects if the module cannot be had. */
+export async function start(source: Source, threads: number): Promise<Start> {
   const violations = watchPolicy();
-  const compiling = compile(source);
+  const compiling = compile(source, threads);
   compiling.catch(() => {}); // told below
   let port: WorkerPort | undefined;
   try {
     // The script is loaded while the module is compiled.
     port = await openWorker(source);
-    await greet(port, await Promise.race([compiling, deathOf(port)]));
+    const artefact = await Promise.race([compiling, deathOf(port)]);
+    let refusal = await greet(port, artefact);
+    // Where there can be no threads after all, one does the same.
+    if (refusal !== null && artefact.threads > 1) {
+      refusal = await greet(port, await compile(source, 1));
+    }
+    if (refusal !== null) throw new Error(refusal);
     return { port };
   } catch (error) {
     void port?.terminate();
@@ -41,7 +48,8 @@ function deathOf(port: WorkerPort): Promise<never> {
   return new Promise((_, reject) => port.listen(ignore, (reason) => reject(new Error(reason))));
 }
 
-function greet(port: WorkerPort, module: WebAssembly.Module): Promise<void> {
+/** Resolves to null when the worker is ready, or to what it says why not; rejects if it says nothing. */
+function greet(port: WorkerPort, artefact: Artefact): Promise<string | null> {
   return new Promise((resolve, reject) => {
     const timer = setTimeout(
       () => reject(new Error(`it did not answer; is its script kdmanifold/worker?`)),
@@ -54,14 +62,18 @@ function greet(port: WorkerPort, module: WebAssembly.Module): Promise<void> {
     port.listen(
       (reply) =>
         settle(() =>
-          reply.type === 'ready'
-            ? resolve()
-            : reject(new Error('message' in reply ? reply.message : `it said ${reply.type}`)),
+          resolve(
+            reply.type === 'ready'
+              ? null
+              : 'message' in reply
+                ? reply.message
+                : `it said ${reply.type}`,
+          ),
         ),
       (reason) => settle(() => reject(new Error(reason))),
     );
     try {
-      port.post({ type: 'start', module }, []);
+      port.post({ type: 'start', artefact }, []);
     } catch (error) {
       settle(() => reject(error));
     }
