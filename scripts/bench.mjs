@@ -2,7 +2,7 @@
 // `npm run bench`: sets up and hands over to tests/bench/bench.mjs, with the same arguments;
 // `npm run bench -- --compare COMMIT` to compare.mjs, `--cold-start` to cold_start.mjs, `--peers` to peers.mjs,
 // `--solids` to solids.mjs, `--counts` to counts.mjs, `--reduce` to reduce.mjs,
-// `--drag` to drag.mjs, `--whole` to whole.mjs, `--threads` to threads.mjs.
+// `--drag` to drag.mjs, `--whole` to whole.mjs, `--threads` to threads.mjs, `--equal` to equal.mjs.
 import { run, setup } from './run.mjs';
 
 setup('wasm', 'native', 'test');
@@ -17,6 +17,7 @@ const others = {
   '--drag': 'drag',
   '--whole': 'whole',
   '--threads': 'threads',
+  '--equal': 'equal',
 };
 const script = others[first] ?? 'bench';
 const args = first in others ? rest : process.argv.slice(2);

@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: MIT
-// `npm run bench -- --peers [--repeat 5]`: the table of README.md. One shape, damaged in the ways of the trade, goes
-// through this library, meshoptimizer's remesher and manifold-3d; the results are judged by the tests' own checker, their
-// volumes against the volume of the shape before it was damaged.
+// `npm run bench -- --peers [--repeat 5] [--readme]`: the first table of README.md; `--readme` writes it there. One
+// shape, damaged in the ways of the trade, goes through this library, meshoptimizer's remesher and manifold-3d; the
+// results are judged by the tests' own checker, their volumes against the volume of the shape before it was damaged.
 import { parseArgs } from 'node:util';
 import { builders } from '../../scripts/build.mjs';
+import { damageCell, damageCommand, damageEngines, damages } from './peer_rows.mjs';
+import { markdownTable, writeTable } from './readme_table.mjs';
 import { median, randomNumbers } from './shared.mjs';
 
-const { values } = parseArgs({ options: { repeat: { type: 'string', default: '5' } } });
+const { values } = parseArgs({
+  options: {
+    repeat: { type: 'string', default: '5' },
+    readme: { type: 'boolean', default: false },
+  },
+});
 const repeat = Number(values.repeat);
 builders.package();
 const { load } = await import('../../dist/index.js');
@@ -68,14 +75,14 @@ const boxes = together(...[0, 1, 2, 3, 4].map((i) => cube(2, [i, 0.3 * i, 0.2 * 
 // The union of the five boxes: each next one adds itself but for what it shares with the one before.
 const unionOfBoxes = 8 + 4 * (8 - 1 * 1.7 * 1.8);
 
-const inputs = {
-  'closed and clean': { mesh: whole, wanted: volume(whole) },
-  'five overlapping parts': { mesh: boxes, wanted: unionOfBoxes },
-  'five holes': { mesh: holed(), wanted: volume(whole) },
-  '30 % of the faces turned': { mesh: turned(), wanted: volume(whole) },
-  'torn apart into single faces': { mesh: torn(), wanted: volume(whole) },
-  'every ninth face twice': { mesh: doubled(), wanted: volume(whole) },
-};
+const inputs = [
+  { mesh: whole, wanted: volume(whole) },
+  { mesh: boxes, wanted: unionOfBoxes },
+  { mesh: holed(), wanted: volume(whole) },
+  { mesh: turned(), wanted: volume(whole) },
+  { mesh: torn(), wanted: volume(whole) },
+  { mesh: doubled(), wanted: volume(whole) },
+];
 
 async function own(mesh) {
   const { user, system } = process.cpuUsage();
@@ -86,33 +93,33 @@ async function own(mesh) {
   return { mesh: result, seconds: (spent.user + spent.system) / 1e6 };
 }
 
-const engines = {
-  kdmanifold: own,
-  'meshoptimizer remesh 128': (mesh) => meshoptimizer(mesh, 128),
-  'manifold-3d': (mesh) => manifold3d(mesh, { union: true }),
-};
+const engines = [
+  own,
+  (mesh) => meshoptimizer(mesh, 128),
+  (mesh) => manifold3d(mesh, { union: true }),
+];
 
 async function cell(engine, { mesh, wanted }) {
   const runs = [];
   for (let i = 0; i <= repeat; ++i) runs.push(await engine(mesh));
   const [{ mesh: result, refused }] = runs;
-  if (refused !== undefined) return `refused (${refused})`;
-  const wrong = (volume(result) / wanted - 1) * 100;
-  const seconds = median(runs.slice(1).map((run) => run.seconds));
-  const solid = faults(result).length === 0 ? '2-manifold' : 'not manifold';
-  const triangles = (result.indices.length / 3).toLocaleString('en');
-  const percent = `${wrong < 0 ? '−' : '+'}${Math.abs(wrong).toFixed(2)} %`;
-  return `${solid}, ${percent}, ${triangles} triangles, ${Math.round(seconds * 1000)} ms`;
+  if (refused !== undefined) return damageCell({ refused });
+  return damageCell({
+    twoManifold: faults(result).length === 0,
+    off: (volume(result) / wanted - 1) * 100,
+    triangles: result.indices.length / 3,
+    milliseconds: Math.round(1000 * median(runs.slice(1).map(({ seconds }) => seconds))),
+  });
 }
 
-console.log(`| input | ${Object.keys(engines).join(' | ')} |`);
-console.log(
-  `| --- | ${Object.keys(engines)
-    .map(() => '---')
-    .join(' | ')} |`,
-);
-for (const [name, input] of Object.entries(inputs)) {
-  const cells = [];
-  for (const engine of Object.values(engines)) cells.push(await cell(engine, input));
-  console.log(`| ${name} | ${cells.join(' | ')} |`);
+const rows = [];
+for (const [i, input] of damages.entries()) {
+  const row = { input };
+  for (const [k, engine] of engines.entries()) {
+    row[damageEngines[k]] = await cell(engine, inputs[i]);
+  }
+  rows.push(row);
 }
+const table = markdownTable(rows);
+console.log(table);
+if (values.readme) writeTable(damageCommand, table);
