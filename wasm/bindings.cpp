@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What the main module exports, and nothing else: all that making a manifold takes. With threads
-// there are two functions more.
+// there is one function more.
 #include <emscripten/bind.h>
 
 #include "instance.h"
 #include "module.h"
-
-#ifdef __EMSCRIPTEN_PTHREADS__
-#include "threads/thread_pool.h"
-#endif
 
 EMSCRIPTEN_BINDINGS(kdmanifold) {
   using namespace emscripten;
@@ -40,8 +36,5 @@ EMSCRIPTEN_BINDINGS(kdmanifold) {
   function("version", &kdm::wasm::version);
 #ifdef __EMSCRIPTEN_PTHREADS__
   function("setThreadCount", &kdm::set_thread_count);
-  // The address of a number.
-  function(
-      "lostThreads", +[] { return reinterpret_cast<std::uintptr_t>(&kdm::ThreadPool::lost); });
 #endif
 }

@@ -11,6 +11,10 @@
 #include <system_error>
 #include <utility>
 
+#ifdef __EMSCRIPTEN__
+#include <emscripten/em_macros.h>
+#endif
+
 namespace kdm {
 
 ThreadPool::~ThreadPool() {
@@ -45,12 +49,16 @@ bool ThreadPool::run(std::size_t tasks, int threads, const Work& work) {
 
 #ifdef __EMSCRIPTEN__
 
-std::atomic<int> ThreadPool::lost = 0;
+// Not 0 once a trap has ended a thread. Only JavaScript sees that, and sets this; a call that waits
+// for the thread then ends in a trap, too.
+static std::atomic<int> lost_threads = 0;
+
+extern "C" EMSCRIPTEN_KEEPALIVE void* kdm_lost_threads() { return &lost_threads; }
 
 void ThreadPool::wait_for_helpers() {
   std::unique_lock lock(mutex_);
   while (!ended_.wait_for(lock, std::chrono::milliseconds(100), [&] { return busy_ == 0; })) {
-    if (lost != 0) std::abort();
+    if (lost_threads != 0) std::abort();
   }
 }
 

@@ -27,12 +27,6 @@ class ThreadPool {
   /// Returns false, and does nothing, while another thread has its work shared.
   bool run(std::size_t tasks, int threads, const Work& work);
 
-#ifdef __EMSCRIPTEN__
-  /// Not 0 once a trap has ended a thread. Only JavaScript sees that, and sets this; a call that
-  /// waits for the thread then ends in a trap, too.
-  static std::atomic<int> lost;
-#endif
-
  private:
   void start_threads(int threads);
   void wait_for_helpers();

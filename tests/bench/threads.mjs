@@ -45,6 +45,7 @@ async function rowOf(file) {
       equal &&= same(alone.mesh[name], shared.mesh[name]);
     }
   }
+  await close(); // memory never shrinks: the next model's workers begin anew
   const ratios = runs.alone.map((seconds, i) => seconds / runs.shared[i]);
   return {
     model: nameOf(file),
@@ -60,4 +61,3 @@ async function rowOf(file) {
 const rows = [];
 for (const file of modelFiles(options.models, ['../shared/data'])) rows.push(await rowOf(file));
 printTable(rows);
-await close();

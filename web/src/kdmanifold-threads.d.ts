@@ -5,7 +5,7 @@ import type { CreateModule, RawModule } from './kdmanifold.js';
 export interface RawThreadsModule extends RawModule {
   setThreadCount(count: number): void;
   /** The address of a 32-bit number, which is to be set once a thread has ended by a trap: calls do not wait for it. */
-  lostThreads(): number;
+  _kdm_lost_threads(): number;
 }
 
 declare const createModule: CreateModule<RawThreadsModule>;

@@ -74,7 +74,7 @@ export async function startThreads(
     });
     raw.setThreadCount(count);
     for (const thread of threads) {
-      thread.postMessage({ lostThreads: raw.lostThreads() });
+      thread.postMessage({ lostThreads: raw._kdm_lost_threads() });
       thread.unref();
     }
     return { raw, end };
