@@ -14,7 +14,7 @@ export async function check() {
   const again = kdm.parseMesh(kdm.formatMesh(mesh, 'stl'), 'stl');
   await close();
   const { twoManifold } = report.output;
-  return { thread: report.thread, twoManifold, same: again.indices.length === mesh.indices.length };
+  return { thread: report.thread, threads: report.threads, twoManifold, same: again.indices.length === mesh.indices.length };
 }`;
 
 /** A page's script; the title tells the outcome. */
