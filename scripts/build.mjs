@@ -56,9 +56,11 @@ export function emscriptenEnvironment(libraries = '/usr/share/nodejs') {
   return { NODE_PATH: given ? [given, libraries].join(delimiter) : libraries };
 }
 
-/** What Emscripten makes. */
+/** What Emscripten makes; `threaded` not by all of its versions (wasm/CMakeLists.txt). */
 const wasmFiles = [
   ...['kdmanifold.js', 'kdmanifold.wasm', 'kdmanifold-tools.js', 'kdmanifold-tools.wasm'],
+];
+const threaded = [
   ...['kdmanifold-threads.js', 'kdmanifold-threads.wasm', 'kdmanifold-threads.worker.js'],
 ];
 
@@ -82,8 +84,10 @@ export const builders = {
     builders.wasm();
     rmSync(`${root}/build/js`, { recursive: true, force: true });
     tool('tsc', ['-p', 'tsconfig.build.json']);
-    for (const name of wasmFiles) {
-      copyFileSync(`${root}/build/wasm/wasm/${name}`, `${root}/build/js/${name}`);
+    const made = `${root}/build/wasm/wasm`;
+    const there = threaded.filter((name) => existsSync(`${made}/${name}`));
+    for (const name of [...wasmFiles, ...there]) {
+      copyFileSync(`${made}/${name}`, `${root}/build/js/${name}`);
     }
   },
   /** From nothing, so that no file stays in the package whose source is gone. */

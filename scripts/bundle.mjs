@@ -5,6 +5,7 @@ import {
   chmodSync,
   copyFileSync,
   cpSync,
+  existsSync,
   mkdirSync,
   readFileSync,
   readdirSync,
@@ -51,9 +52,15 @@ function forgetFiles(glue) {
 /** Bundles modules, worker and CommonJS, and adds the WebAssembly files and the types of both. */
 export function bundlePackage() {
   mkdirSync(to, { recursive: true });
+  const withThreads = existsSync(`${from}/kdmanifold-threads.js`);
+  const modules = [
+    'kdmanifold',
+    'kdmanifold-tools',
+    ...(withThreads ? ['kdmanifold-threads'] : []),
+  ];
   // Emscripten's glue has no such comments, and shrinks by a quarter.
-  for (const name of ['kdmanifold.js', 'kdmanifold-tools.js', 'kdmanifold-threads.js']) {
-    const glue = `${from}/${name}`;
+  for (const name of modules) {
+    const glue = `${from}/${name}.js`;
     tool('esbuild', [
       glue,
       '--minify',
@@ -68,8 +75,10 @@ export function bundlePackage() {
   );
   // In one piece, so that it works wherever it is copied to.
   bundle(['worker/serve'], ...['--format=esm', `--outfile=${to}/kdmanifold-worker.js`]);
-  forgetFiles(`${from}/kdmanifold-threads.js`);
-  bundle(['threads/module'], ...['--format=esm', `--outfile=${to}/kdmanifold-threads.js`]);
+  if (withThreads) {
+    forgetFiles(`${from}/kdmanifold-threads.js`);
+    bundle(['threads/module'], ...['--format=esm', `--outfile=${to}/kdmanifold-threads.js`]);
+  }
   for (const name of readdirSync(to)) {
     if (name.endsWith('.js')) shrink(`${to}/${name}`);
   }
@@ -80,9 +89,7 @@ export function bundlePackage() {
     ...['--define:import.meta.url=kdmModuleUrl', `--banner:js=${moduleUrl}`],
   );
   writeFileSync(`${to}/cjs/package.json`, '{ "type": "commonjs" }\n');
-  for (const name of ['kdmanifold.wasm', 'kdmanifold-tools.wasm', 'kdmanifold-threads.wasm']) {
-    copyFileSync(`${from}/${name}`, `${to}/${name}`);
-  }
+  for (const name of modules) copyFileSync(`${from}/${name}.wasm`, `${to}/${name}.wasm`);
   chmodSync(`${to}/cli.js`, 0o755);
   const isType = (path) => !/\.[a-z]+$/.test(path) || /\.d\.ts$/.test(path);
   for (const folder of [`${to}/types`, `${to}/cjs`]) {
