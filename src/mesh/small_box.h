@@ -2,7 +2,6 @@
 // Boxes that take half of the memory of others (`Box`): for lists that are read often.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <limits>
 
@@ -23,14 +22,6 @@ struct SmallBox {
   bool meets(const SmallBox& other) const {
     return min[0] <= other.max[0] && min[1] <= other.max[1] && min[2] <= other.max[2] &&
            max[0] >= other.min[0] && max[1] >= other.min[1] && max[2] >= other.min[2];
-  }
-  double squared_distance(const Vec3& p) const {
-    double sum = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-      const double off = std::max({min[axis] - p[axis], p[axis] - max[axis], 0.0});
-      sum += off * off;
-    }
-    return sum;
   }
   bool operator==(const SmallBox&) const = default;
 };

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "geometry/triangle.h"
 #include "reduce/shape.h"
 
 namespace kdm {

@@ -70,6 +70,10 @@ void add_foreign(const ScaledMesh& mesh, double error, ScaledMesh& reference, Re
   kept = Reference(reference.all_corners());
 }
 
+// A vertex of the reference begins at the triangle that was found last, if that is nearer than this
+// part of the distance allowed; only others look for the nearest.
+constexpr double kNearEnough = 0.5;
+
 // Returns the vertices of the mesh and of the reference, each at a triangle of the mesh that is
 // near to it. `surface` holds the mesh's triangles, `kept` the reference's, and `near` one of these
 // for each vertex of the mesh. Vertices of the reference that the mesh does not come near to are

@@ -10,10 +10,6 @@
 
 namespace kdm {
 
-/// A point goes to the first triangle that is nearer than this part of the distance allowed; only
-/// others look for the nearest.
-constexpr double kNearEnough = 0.5;
-
 /// The points. When a step replaces triangles, their points move to those that take their place.
 class Samples {
  public:
