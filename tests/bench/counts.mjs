@@ -30,7 +30,7 @@ const tools = buildTools(['kdm_measure']);
 builders.package();
 const { load } = await import('../../dist/index.js');
 const { reducers } = await import('./engines.mjs');
-const kdm = await load();
+const kdm = await load({ threads: 1 });
 
 const text = (number) => (number === undefined ? '' : Number(number.toPrecision(3)));
 

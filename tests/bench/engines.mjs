@@ -125,7 +125,7 @@ export async function manifold3dBoolean(operands, combine) {
 
 /** Boolean operations of this library, not reduced. */
 export async function ownBoolean(operands, expression, options) {
-  const kdm = await load();
+  const kdm = await load({ threads: 1 });
   const start = now();
   const grid = kdm.buildBooleanGrid(expression, operands, options);
   try {

@@ -38,7 +38,7 @@ const tools = buildTools(['kdm_measure']);
 builders.package();
 const { close, load, makeManifold } = await import('../../dist/index.js');
 const { meshoptimizer, reducers } = await import('./engines.mjs');
-const kdm = await load();
+const kdm = await load({ threads: 1 });
 
 /** The median of the seconds of several runs, after one that is not counted; and what the last one made. */
 async function timed(work) {
@@ -50,7 +50,7 @@ async function timed(work) {
 
 async function own(mesh) {
   const start = process.cpuUsage();
-  const { mesh: result, report } = await makeManifold(mesh, { relativeTolerance });
+  const { mesh: result, report } = await makeManifold(mesh, { relativeTolerance, threads: 1 });
   const { user, system } = process.cpuUsage(start);
   return { mesh: result, seconds: (user + system) / 1e6, stages: sharesOf(report.seconds) };
 }

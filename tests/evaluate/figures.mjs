@@ -48,6 +48,9 @@ if (unknown !== undefined || options.models.length === 0) {
 const files = modelFiles(options.models, []);
 const tools = buildTools();
 builders.package();
+// Seconds are those of one thread, in all sections: the first call decides.
+const { load } = await import('../../dist/index.js');
+await load({ threads: 1 });
 const out =
   options.out === undefined
     ? undefined
