@@ -8,6 +8,7 @@ import { join } from 'node:path';
 import { load } from '../../../dist/index.js';
 import { output } from '../../../scripts/run.mjs';
 import { closedModels, contentOf, median, nameOf, printTable, sizes } from '../../bench/shared.mjs';
+import { verdictOf } from '../verdict.mjs';
 
 const repeat = 5;
 
@@ -70,7 +71,7 @@ function row(model, setting, plain, clear) {
     thin: judged((one) => percent(one.min_angle_below_1deg)),
     seconds: both((one) => one.seconds.toFixed(4)),
     'more time': percent(clear.seconds / plain.seconds - 1),
-    verdict: faults.length === 0 ? 'ok' : `FAILS: ${faults.join(', ')}`,
+    verdict: verdictOf(faults),
   };
 }
 

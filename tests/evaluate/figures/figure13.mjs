@@ -8,6 +8,7 @@ import { load } from '../../../dist/index.js';
 import { builders } from '../../../scripts/build.mjs';
 import { contentOf, convert, measure, nameOf, printTable, twoSided } from '../../bench/shared.mjs';
 import { drawBeside } from '../picture.mjs';
+import { verdictOf } from '../verdict.mjs';
 
 const models = ['dragon_48k.ply', 'dragon_202k.ply'];
 const relativeTolerance = 0.001;
@@ -25,7 +26,7 @@ export default async function figure13({ tools, folder, find, out }) {
     const meshes = makeMeshes(file, stem, join(folder, 'whole.kdgrid'));
     const [whole] = meshes.map(({ path }) => path);
     const own = meshes.map((made) => rowOf(tools, file, made, whole));
-    for (const row of own) row.verdict = verdictOf(row, own[0]);
+    for (const row of own) row.verdict = verdictOn(row, own[0]);
     rows.push(...own);
     if (out !== undefined) await show(kdm, file, stem, meshes);
   }
@@ -78,7 +79,7 @@ function rowOf(tools, file, { path, error, report, seconds }, whole) {
   };
 }
 
-function verdictOf(row, whole) {
+function verdictOn(row, whole) {
   const faults = [];
   if (!row.twoManifold) faults.push('not 2-manifold');
   if (row.crossings > 0) faults.push(`${row.crossings} pairs cross`);
@@ -87,7 +88,7 @@ function verdictOf(row, whole) {
   if (row.moved > beyond * (row.error + relativeTolerance)) faults.push('moved too far');
   const coarse = row.error > almostNothing;
   if (coarse && Math.abs(row.triangles / wanted - 1) > nearEnough) faults.push('triangles');
-  return faults.length === 0 ? 'ok' : `FAILS: ${faults.join(', ')}`;
+  return verdictOf(faults);
 }
 
 function shown(row) {

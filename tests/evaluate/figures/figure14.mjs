@@ -10,6 +10,7 @@ import { measure, printTable } from '../../bench/shared.mjs';
 import { together } from '../../js/support/meshes.js';
 import { box, cubes, inwards, vase } from '../paper_shapes.mjs';
 import { drawBeside } from '../picture.mjs';
+import { verdictOf } from '../verdict.mjs';
 
 const wall = 0.04;
 const [below, above] = [0.75 * wall, 1.5 * wall];
@@ -83,7 +84,7 @@ export default async function figure14({ tools, folder, out }) {
       volume: volume.toFixed(4),
       leaves,
       triangles: mesh.indices.length / 3,
-      verdict: faults.length === 0 ? 'ok' : `FAILS: ${faults.join(', ')}`,
+      verdict: verdictOf(faults),
     });
   }
   // By itself the vase leaves nothing.

@@ -11,6 +11,7 @@ import { load } from '../../../dist/index.js';
 import { measure, printTable, twoSided } from '../../bench/shared.mjs';
 import { battlement, turnedBy } from '../paper_shapes.mjs';
 import { drawBeside } from '../picture.mjs';
+import { verdictOf } from '../verdict.mjs';
 
 const almostNothing = 1e-6; // of the diagonal, as all errors here
 const tolerance = 0.001;
@@ -104,7 +105,7 @@ function rowOf({ options, before, after, moved }) {
     'volume ': after.judged.volume.toFixed(4),
     'away % ': percent(after.away),
     'moved %': percent(moved),
-    verdict: faults.length === 0 ? 'ok' : `FAILS: ${faults.join(', ')}`,
+    verdict: verdictOf(faults),
   };
 }
 

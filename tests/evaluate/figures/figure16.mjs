@@ -11,6 +11,7 @@ import { manifold3dBoolean, ownBoolean } from '../../bench/engines.mjs';
 import { contentOf, convert, measure, nameOf, printTable } from '../../bench/shared.mjs';
 import { turnedTwice } from '../../bench/turned_twice.mjs';
 import { drawBeside } from '../picture.mjs';
+import { verdictOf } from '../verdict.mjs';
 
 const models = ['armadillo_86k.ply', 'dragon_48k.ply', 'dragon_202k.ply'];
 const degrees = 10;
@@ -99,7 +100,7 @@ async function rowOf(context, { name, expression, flags, combine }, all) {
     'its volume': volume === undefined ? other.refused : volume.toPrecision(6),
     of: peer.refused === undefined ? 'the input' : 'our copies',
     'off %': off === undefined ? '' : (100 * off).toFixed(3),
-    verdict: faults.length === 0 ? 'ok' : `FAILS: ${faults.join(', ')}`,
+    verdict: verdictOf(faults),
   };
   console.log(`${row.model} ${name}: ${row.verdict}`);
   return { row, mesh };

@@ -5,6 +5,7 @@
 import { join } from 'node:path';
 import { output } from '../../../scripts/run.mjs';
 import { measure, meshToMesh, nameOf, native, printTable, twoSided } from '../../bench/shared.mjs';
+import { verdictOf } from '../verdict.mjs';
 
 const models = ['fandisk.obj', 'armadillo_86k.ply', 'casting.off', 'horse_quad.obj'];
 const scenes = ['thin_box', 'nested_spheres', 'torus_chain'];
@@ -72,7 +73,7 @@ function row(file, tolerance, run, { input, measured, judgedInput, judged }) {
     'off/tolerance': (worst / tolerance).toFixed(2),
     rms: off.rms.toFixed(6),
     resolved: run.grid.topologyResolved ? 'yes' : `no: ${run.grid.unresolvedLeaves}`,
-    verdict: faults.length === 0 ? 'ok' : `FAILS: ${faults.join(', ')}`,
+    verdict: verdictOf(faults),
   };
 }
 

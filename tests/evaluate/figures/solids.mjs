@@ -17,6 +17,7 @@ import {
   randomNumbers,
 } from '../../bench/shared.mjs';
 import { cube } from '../../js/support/meshes.js';
+import { verdictOf } from '../verdict.mjs';
 
 const relativeTolerance = 0.002;
 const turn = Math.PI / 18;
@@ -151,7 +152,7 @@ async function judged(context, make) {
     triangles: result.indices.length / 3,
     parts: components,
     euler: eulerCharacteristic,
-    verdict: faults.length === 0 ? 'ok' : `FAILS: ${faults.join(', ')}`,
+    verdict: verdictOf(faults),
   };
 }
 
