@@ -87,9 +87,14 @@ Index divide_triangle(Index triangle, const Vec3& position, DualMesh& mesh) {
   return m;
 }
 
-Division::Division(DualMesh& mesh) : mesh_(mesh), where_(mesh.vertex.size()) {
+Division::Division(DualMesh& mesh, std::span<const OneSidedVertex> one_sided)
+    : mesh_(mesh), where_(mesh.vertex.size()) {
   std::iota(where_.begin(), where_.end(), 0u);
   origin_ = where_;
+  // Both sides may be numbered anew before they are linked.
+  for (const OneSidedVertex& m : one_sided) {
+    for (const HalfEdgeId h : {m.half_edge, m.from_end, m.to_start}) mesh_.opposite[h] = kNone;
+  }
 }
 
 void Division::triangle(Index triangle, const Vec3& position) {
@@ -106,6 +111,22 @@ void Division::edge(Index half_edge, const Vec3& position) {
   divide_edge(ab, position, mesh_);
   moved(next_in_triangle(ab), next_in_triangle(mesh_.opposite[ba]));
   moved(next_in_triangle(ba), next_in_triangle(mesh_.opposite[ab]));
+}
+
+void Division::side(const OneSidedVertex& m) {
+  const HalfEdgeId ab = where_[m.half_edge];
+  const HalfEdgeId bc = next_in_triangle(ab);
+  const VertexId b = mesh_.vertex[bc];
+  const VertexId c = mesh_.vertex[previous_in_triangle(ab)];
+  const HalfEdgeId mbc = mesh_.add_triangle(mesh_.hit[ab / 3], m.vertex, b, c);
+  mesh_.link(mbc + 1, mesh_.opposite[bc]);
+  mesh_.link(mbc + 2, bc);  // bc becomes m -> c
+  mesh_.vertex[bc] = m.vertex;
+  mesh_.link(ab, where_[m.to_start]);
+  mesh_.link(mbc, where_[m.from_end]);
+  if (mesh_.first_half_edge[b] == bc) mesh_.first_half_edge[b] = mbc + 1;
+  mesh_.strip[ab / 3] = 0;
+  moved(bc, mbc + 1);
 }
 
 void Division::moved(Index from, Index to) {

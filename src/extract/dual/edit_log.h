@@ -51,6 +51,13 @@ class EditLog {
   /// Lists the hits whose triangles were edited or divided since `forget_touched`, in the order in
   /// which that was noted. A hit may be listed several times.
   const std::vector<HitId>& touched_hits() const { return touched_hits_; }
+  /// Tells whether the pass has added this vertex.
+  bool has_added(AddedBy pass, VertexId v) const {
+    for (const Addition& addition : added_) {
+      if (v < addition.end) return v >= addition.first && addition.pass == pass;
+    }
+    return false;
+  }
   /// Counts the vertices that the pass has added and that the mesh still has.
   Index added_vertices(AddedBy pass, const DualMesh& mesh) const {
     Index count = 0;

@@ -312,11 +312,13 @@ class Rounds {
     log_.forget_touched();
     const VertexId first_vertex = mesh_.vertices();
     const TriangleId first_triangle = mesh_.triangles();
-    Restored part = restore(loops_, hits_to_remake_, mesh_, log_);
-    add_vertices(view_, settings_, levels_, part.split, mesh_, log_, part.hits);
+    Restored part = restore(loops_, levels_, hits_to_remake_, mesh_, log_);
+    add_vertices(view_, settings_, levels_, part.split, mesh_, log_, part.hits, part.one_sided);
     nest_loops_of_leaves(part.loops);
+    std::vector<VertexId> corners = part.loops;
+    for (const OneSidedVertex& m : part.one_sided) corners.push_back(m.vertex);
     mend_edges(view_, settings_, levels_, mesh_, log_,
-               {part.hits, part.loops, first_vertex, first_triangle});
+               {part.hits, corners, first_vertex, first_triangle});
     round_positions_from(first_vertex);
     for (const LoopId v : part.loops) mesh_.position[v] = rounded(mesh_.position[v]);
     std::vector<HitId> changed = std::move(part.hits);

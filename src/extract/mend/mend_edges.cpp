@@ -25,7 +25,8 @@ void mend_edges(const GridView& view, const FaceSettings& settings, const EmbedL
 void mend_edges(const GridView& view, const FaceSettings& settings, const EmbedLevels& levels,
                 DualMesh& mesh, EditLog& log, const RemadePart& part) {
   if (settings.two_manifold) {
-    const std::vector<VertexId> vertices = with_new(part.loops, part.first_vertex, mesh.vertices());
+    const std::vector<VertexId> vertices =
+        with_new(part.vertices, part.first_vertex, mesh.vertices());
     separate_double_edges(view, mesh, log, vertices);
   }
   if (!settings.unfold || settings.quads) return;

@@ -14,10 +14,10 @@ namespace kdm {
 
 /// A part of a mesh that was made anew.
 struct RemadePart {
-  const std::vector<HitId>& hits;    ///< whose triangles were made anew; ascending
-  const std::vector<LoopId>& loops;  ///< all loops round which these hits are; ascending
-  VertexId first_vertex = 0;         ///< this vertex and all after it are new
-  TriangleId first_triangle = 0;     ///< this triangle and all after it are new
+  const std::vector<HitId>& hits;         ///< whose triangles were made anew; ascending
+  const std::vector<VertexId>& vertices;  ///< the corners of these triangles that are not new
+  VertexId first_vertex = 0;              ///< this vertex and all after it are new
+  TriangleId first_triangle = 0;          ///< this triangle and all after it are new
 };
 
 /// Separates double edges (see `separate_double_edges`) and flips edges of folded and thin
@@ -25,7 +25,7 @@ struct RemadePart {
 void mend_edges(const GridView& view, const FaceSettings& settings, const EmbedLevels& levels,
                 DualMesh& mesh, EditLog& log);
 
-/// Does the same in a part: at the edges of its loops and of new vertices, and among the triangles
+/// Does the same in a part: at the edges of its vertices and of new ones, and among the triangles
 /// of its hits and of touched hits (see `EditLog::touched_hits`) and the new ones.
 void mend_edges(const GridView& view, const FaceSettings& settings, const EmbedLevels& levels,
                 DualMesh& mesh, EditLog& log, const RemadePart& part);

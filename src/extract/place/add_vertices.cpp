@@ -12,12 +12,13 @@
 namespace kdm {
 
 void add_vertices(const GridView& view, const FaceSettings& settings, const EmbedLevels& levels,
-                  std::span<const LoopId> missed, DualMesh& mesh, EditLog& log, const Scope& hits) {
+                  std::span<const LoopId> missed, DualMesh& mesh, EditLog& log, const Scope& hits,
+                  std::span<const OneSidedVertex> one_sided) {
   std::vector<LoopId> plain;
   std::copy_if(missed.begin(), missed.end(), std::back_inserter(plain),
                [&](LoopId v) { return levels.of_loop(v) == EmbedLevel::kTriangle; });
   split_vertices(view, settings, mesh, log, plain);
-  if (!settings.quads) refine(view, levels, settings.link_error, mesh, log, hits);
+  if (!settings.quads) refine(view, levels, settings.link_error, mesh, log, hits, one_sided);
 }
 
 }  // namespace kdm

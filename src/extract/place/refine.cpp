@@ -9,6 +9,7 @@
 #include "extract/dual/edit.h"
 #include "extract/place/link_point.h"
 #include "geometry/distance.h"
+#include "mesh/sort.h"
 
 namespace kdm {
 namespace {
@@ -16,8 +17,13 @@ namespace {
 class Refinement {
  public:
   Refinement(const GridView& view, const EmbedLevels& levels, double distance, DualMesh& mesh,
-             EditLog& log)
-      : view_(view), levels_(levels), distance_(distance), mesh_(mesh), log_(log) {}
+             EditLog& log, std::span<const OneSidedVertex> one_sided)
+      : view_(view),
+        levels_(levels),
+        distance_(distance),
+        mesh_(mesh),
+        log_(log),
+        one_sided_(one_sided) {}
 
   // All new vertices are found before anything is divided, so half-edge h still belongs to hit h /
   // 3.
@@ -27,21 +33,14 @@ class Refinement {
   }
 
   void divide() {
-    Division division(mesh_);
+    Division division(mesh_, one_sided_);
     // Hits first: what is divided later is joined to them.
     for (const Index t : triangles_) division.triangle(t, view_.hit_points[t]);
-    for (const std::vector<Crossing>* crossings : {&strips_, &links_}) {
-      for (const Crossing& c : *crossings) {
-        log_.note_divided(c.half_edge / 3);
-        log_.note_divided(c.other / 3);
-        division.edge(c.half_edge, c.position);
-      }
-    }
+    divide_at(strips_, division);
+    divide_at(links_, division);
   }
 
-  Index vertices() const {
-    return static_cast<Index>(triangles_.size() + strips_.size() + links_.size());
-  }
+  bool empty() const { return triangles_.empty() && strips_.empty() && links_.empty(); }
 
  private:
   // A vertex on the edge between two half-edges.
@@ -49,16 +48,41 @@ class Refinement {
     Index half_edge;
     Index other;
     Vec3 position;
+    const OneSidedVertex* one_sided = nullptr;  // the vertex, if the other side has it
   };
+
+  // Divides in the order of the links' lower half-edges, whether the hits beyond are looked at or
+  // not: then triangles are divided in the same way.
+  void divide_at(const std::vector<Crossing>& crossings, Division& division) {
+    const auto lower = [&](Index i) {
+      return std::min(crossings[i].half_edge, crossings[i].other);
+    };
+    const auto before = [&](Index i, Index j) { return lower(i) < lower(j); };
+    for (const Index i : in_order(crossings.size(), Order(before))) {
+      const Crossing& c = crossings[i];
+      if (c.one_sided != nullptr) {
+        division.side(*c.one_sided);
+        continue;
+      }
+      log_.note_divided(c.half_edge / 3);
+      log_.note_divided(c.other / 3);
+      division.edge(c.half_edge, c.position);
+    }
+  }
 
   // A link is looked at from its lower half-edge, or from the one whose hit is looked at.
   void look_at(HitId t, const Scope& hits) {
     if (mesh_.dropped(t)) return;
     const auto half_edges = static_cast<Index>(3 * view_.hit_points.size());
     for (Index h = 3 * t; h < 3 * t + 3; ++h) {
+      if (passed_ < one_sided_.size() && one_sided_[passed_].half_edge == h) {
+        const OneSidedVertex& m = one_sided_[passed_++];
+        (is_strip(h) ? strips_ : links_).push_back({h, m.opposite, mesh_.position[m.vertex], &m});
+        continue;
+      }
       const Index other = mesh_.opposite[h];
       if (other >= half_edges || (other < h && hits.contains(other / 3))) continue;
-      if ((mesh_.strip[t] >> (h % 3) & 1) != 0) {
+      if (is_strip(h)) {
         // Two hits at one point: one vertex, on the edge between their triangles.
         if (level_of_link(t, other / 3) != EmbedLevel::kTriangle)
           strips_.push_back({h, other, view_.hit_points[t]});
@@ -68,6 +92,8 @@ class Refinement {
     }
     if (mesh_.strip[t] == 0 && levels_.of_hit(t) != EmbedLevel::kTriangle) triangles_.push_back(t);
   }
+
+  bool is_strip(Index h) const { return (mesh_.strip[h / 3] >> (h % 3) & 1) != 0; }
 
   EmbedLevel level_of_link(Index hit, Index other) const {
     return std::max(levels_.of_hit(hit), levels_.of_hit(other));
@@ -179,6 +205,8 @@ class Refinement {
   double distance_;
   DualMesh& mesh_;
   EditLog& log_;
+  std::span<const OneSidedVertex> one_sided_;
+  std::size_t passed_ = 0;        // how many of these were met
   std::vector<Index> triangles_;  // of hits that become vertices
   std::vector<Crossing> strips_;  // between two hits that become one vertex
   std::vector<Crossing> links_;
@@ -188,13 +216,13 @@ class Refinement {
 }  // namespace
 
 Index refine(const GridView& view, const EmbedLevels& levels, double distance, DualMesh& mesh,
-             EditLog& log, const Scope& hits) {
+             EditLog& log, const Scope& hits, std::span<const OneSidedVertex> one_sided) {
   const Index before = mesh.vertices();
-  Refinement refinement(view, levels, distance, mesh, log);
+  Refinement refinement(view, levels, distance, mesh, log, one_sided);
   refinement.find(hits);
-  if (refinement.vertices() > 0) refinement.divide();
+  if (!refinement.empty()) refinement.divide();
   log.note_added(AddedBy::kLinks, before, mesh);
-  return refinement.vertices();
+  return mesh.vertices() - before;
 }
 
 }  // namespace kdm

@@ -45,20 +45,28 @@ struct EmbedStage {
     levels.loops.assign(loops.vertices(), EmbedLevel::kTriangle);
   }
 
-  /// Refines the mesh as the levels say, and mends it: all of it, or a part that has one triangle a
-  /// hit.
-  void make(const Scope& hits = {}) {
+  /// Refines the mesh as the levels say: all of it, or a part that was put back.
+  void refine(const Restored* part = nullptr) {
     const std::size_t vertices = mesh.vertices();
-    refine(view(), levels, grid.tolerance, mesh, log, hits);
+    if (part == nullptr) {
+      kdm::refine(view(), levels, grid.tolerance, mesh, log);
+    } else {
+      kdm::refine(view(), levels, grid.tolerance, mesh, log, part->hits, part->one_sided);
+    }
+    round_from(vertices);
+  }
+
+  /// Does the same and mends the mesh.
+  void make(const Restored* part = nullptr) {
+    const std::size_t vertices = mesh.vertices();
+    refine(part);
     std::vector<VertexId> present;
     for (VertexId v = 0; v < mesh.vertices(); ++v) {
       if (mesh.first_half_edge[v] != kNone) present.push_back(v);
     }
     separate_double_edges(view(), mesh, log, present);
     unfold(view(), levels, mesh, log);
-    for (std::size_t v = vertices; v < mesh.position.size(); ++v) {
-      mesh.position[v] = rounded(mesh.position[v]);
-    }
+    round_from(vertices);
   }
 
   /// Makes every `step`-th hit from `first` on anew, with vertices at the hit and its links.
@@ -71,8 +79,8 @@ struct EmbedStage {
       hits.push_back(h);
     }
     log.forget_touched();
-    Restored part = restore(loops, hits, mesh, log);
-    make(part.hits);
+    Restored part = restore(loops, levels, hits, mesh, log);
+    make(&part);
     part.hits.insert(part.hits.end(), log.touched_hits().begin(), log.touched_hits().end());
     return std::move(part.hits);
   }
@@ -84,6 +92,13 @@ struct EmbedStage {
   }
 
   GridView view() const { return {grid, boxes, points}; }
+
+  /// Rounds the places of this vertex and all after it to 32 bits.
+  void round_from(std::size_t vertex) {
+    for (std::size_t v = vertex; v < mesh.position.size(); ++v) {
+      mesh.position[v] = rounded(mesh.position[v]);
+    }
+  }
 
   Vec3 rounded(const Vec3& p) const {
     return grid.lattice.to_lattice(single_precision(grid.lattice, p));
