@@ -41,10 +41,26 @@ class CrossingPairs {
   std::size_t flat() const { return flat_triangles_.size(); }
 
  private:
+  // A triangle that has changed, and the leaves in which it may lie.
+  struct Changed {
+    TriangleId triangle;
+    bool is_suspect;
+    std::size_t first_leaf;  // in `leaves_`; its leaves end where those of the next one begin
+  };
+  // What one thread remembers while it tests.
+  struct Tester {
+    std::vector<TriangleId> last_tested_with;  // per triangle
+    TestedFans fans;
+    std::vector<std::pair<TriangleId, TriangleId>> pairs;  // found in the part at hand
+  };
+
   void find_changed(const DualMesh& mesh, const std::vector<HitId>& updated);
   void renumber(const DualMesh& mesh);
-  void test_around(const DualMesh& mesh, TriangleId suspect);
-  void test_against_suspects(const DualMesh& mesh, TriangleId enclosed);
+  void collect(const DualMesh& mesh);
+  void collect_suspect(const DualMesh& mesh, TriangleId t);
+  void collect_enclosed(HitId hit);
+  void test_all(const DualMesh& mesh);
+  void test(const DualMesh& mesh, Index number, Tester& tester) const;
 
   const DualMesh& loops_;
   Suspects suspects_;
@@ -55,7 +71,9 @@ class CrossingPairs {
   LeafTree leaf_tree_;
   LeafTriangles leaf_triangles_;
   PairTest pair_test_;
-  std::vector<TriangleId> last_tested_with_;  // per triangle: with which it was last tested
+  std::vector<Changed> changed_triangles_;  // in the last update
+  std::vector<CellId> leaves_;              // of one changed triangle after another
+  std::vector<Index> changed_number_;       // per triangle: in `changed_triangles_`, or kNone
   std::vector<std::pair<TriangleId, TriangleId>> pairs_;
   std::vector<TriangleId> flat_triangles_;  // without area
 };

@@ -24,8 +24,6 @@ PairTest::PairTest(const GridView& view) : view_(view), scale_(scale_for(view.gr
 void PairTest::update(const DualMesh& mesh) {
   rounded_positions_.resize(mesh.position.size());
   boxes_.resize(mesh.triangles());
-  fan_was_tested_.assign(mesh.vertices());
-  fan_is_simple_.assign(mesh.vertices());
 }
 
 void PairTest::read_corners(const DualMesh& mesh, TriangleId t) {
@@ -42,12 +40,13 @@ CachedTriangle PairTest::cached(const DualMesh& mesh, TriangleId t) const {
   return {numbers, corners(numbers)};
 }
 
-bool PairTest::meet(const DualMesh& mesh, const CachedTriangle& triangle, TriangleId other) {
+bool PairTest::meet(const DualMesh& mesh, const CachedTriangle& triangle, TriangleId other,
+                    TestedFans& fans) const {
   if (!triangle.box().meets(boxes_[other])) return false;
   const Triangle numbers = corner_numbers(mesh, other);
   const VertexId shared = triangle.shared_corner(numbers);
   if (shared != kNone
-          ? fan_is_simple(mesh, shared)
+          ? fan_is_simple(mesh, shared, fans)
           : triangle.surely_apart(rounded_positions_[numbers[0]], rounded_positions_[numbers[1]],
                                   rounded_positions_[numbers[2]])) {
     return false;
@@ -61,23 +60,29 @@ bool PairTest::has_no_area(const DualMesh& mesh, TriangleId t) const {
   return !has_area(a, b, c);
 }
 
-bool PairTest::fan_is_simple(const DualMesh& mesh, VertexId v) {
-  if (!fan_was_tested_.test_and_set(v)) fan_is_simple_.set(v, find_if_fan_is_simple(mesh, v));
-  return fan_is_simple_.test(v);
+// Tells whether, seen from some direction, the triangles round the vertex lie beside each other,
+// all turned the right way: then no two of them meet but in the vertex and the sides they share. If
+// not, they may or may not meet.
+bool PairTest::fan_is_simple(const DualMesh& mesh, VertexId v, TestedFans& fans) const {
+  if (!fans.tested.test_and_set(v)) {
+    fans.simple.set(v, find_if_fan_is_simple(mesh, v, fans.around));
+  }
+  return fans.simple.test(v);
 }
 
 // Looks along the sum of the normals of the hits round the vertex.
-bool PairTest::find_if_fan_is_simple(const DualMesh& mesh, VertexId v) {
+bool PairTest::find_if_fan_is_simple(const DualMesh& mesh, VertexId v,
+                                     std::vector<OuterSide>& around) const {
   if (mesh.on_boundary(v)) return false;
   Vec3 normal = Vec3::Zero();
-  outer_sides_.clear();
+  around.clear();
   const Vec3& apex = mesh.position[v];
   for (const HalfEdgeId h : mesh.ring(v)) {
     normal += view_.grid.plane_of(mesh.hit[h / 3]).normal;
-    outer_sides_.emplace_back(mesh.position[mesh.end_vertex(h)] - apex,
-                              mesh.position[mesh.vertex[previous_in_triangle(h)]] - apex);
+    around.emplace_back(mesh.position[mesh.end_vertex(h)] - apex,
+                        mesh.position[mesh.vertex[previous_in_triangle(h)]] - apex);
   }
-  return is_simple_fan(outer_sides_, normal);
+  return is_simple_fan(around, normal);
 }
 
 }  // namespace kdm

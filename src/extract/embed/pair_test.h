@@ -14,8 +14,15 @@
 
 namespace kdm {
 
+/// Remembers what one thread has found out about the triangles round vertices.
+struct TestedFans {
+  Marks tested;                   // per vertex
+  Marks simple;                   // per vertex that was tested
+  std::vector<OuterSide> around;  // of the vertex that is looked at
+};
+
 /// Tests pairs of triangles of a mesh, with the positions that its vertices have in the result: in
-/// model units, rounded to 32 bits.
+/// model units, rounded to 32 bits. Several threads may test at a time, each with its own fans.
 class PairTest {
  public:
   explicit PairTest(const GridView& view);
@@ -29,15 +36,11 @@ class PairTest {
   /// Returns the triangle with its corners, ready to be tested against many.
   CachedTriangle cached(const DualMesh& mesh, TriangleId t) const;
   /// Tells whether the two triangles have more in common than the corners and sides they share.
-  /// Exact. Triangles without area meet nothing.
-  bool meet(const DualMesh& mesh, const CachedTriangle& triangle, TriangleId other);
+  /// Exact. Triangles without area meet nothing. `fans` are those of this mesh.
+  bool meet(const DualMesh& mesh, const CachedTriangle& triangle, TriangleId other,
+            TestedFans& fans) const;
   /// Tells whether the corners lie on one line. Exact.
   bool has_no_area(const DualMesh& mesh, TriangleId t) const;
-
-  /// Tells whether, seen from some direction, the triangles round the vertex lie beside each other,
-  /// all turned the right way: then no two of them meet but in the vertex and the sides they share.
-  /// If not, they may or may not meet. Remembers the answer until the next `update`.
-  bool fan_is_simple(const DualMesh& mesh, VertexId v);
 
  private:
   static Triangle corner_numbers(const DualMesh& mesh, TriangleId t) {
@@ -47,15 +50,14 @@ class PairTest {
     return {rounded_positions_[numbers[0]], rounded_positions_[numbers[1]],
             rounded_positions_[numbers[2]]};
   }
-  bool find_if_fan_is_simple(const DualMesh& mesh, VertexId v);
+  bool fan_is_simple(const DualMesh& mesh, VertexId v, TestedFans& fans) const;
+  bool find_if_fan_is_simple(const DualMesh& mesh, VertexId v,
+                             std::vector<OuterSide>& around) const;
 
   GridView view_;
   double scale_;                         // makes the largest coordinate about one
   std::vector<Vec3> rounded_positions_;  // per vertex: as in the result, times the scale
   std::vector<SmallBox> boxes_;          // per triangle
-  Marks fan_was_tested_;                 // per vertex
-  Marks fan_is_simple_;                  // per vertex whose fan was tested
-  std::vector<OuterSide> outer_sides_;   // of the vertex that is looked at
 };
 
 }  // namespace kdm

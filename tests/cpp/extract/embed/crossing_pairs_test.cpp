@@ -5,10 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "support/dual_mesh_check.h"
 #include "support/embed_stage.h"
 #include "support/sanitized.h"
+#include "support/threads.h"
 
 namespace kdm {
 namespace {
@@ -53,6 +56,23 @@ TEST(CrossingPairs, UpdateEqualsFind) {
       }
       check::expect_sound(stage.mesh);
     }
+  }
+}
+
+// Several thousand tests, of which threads take parts.
+TEST(CrossingPairs, ComeInOneOrderWithAnyNumberOfThreads) {
+  EmbedStage stage(shapes::random_tetrahedra(12, 0),
+                   {.strategy = SplitStrategy::kUniform, .depth = 12});
+  stage.make();
+  std::vector<std::pair<TriangleId, TriangleId>> with_one;
+  for (const int threads : {1, 2, 3}) {
+    const ThreadCount count(threads);
+    CrossingPairs crossing_pairs(stage.view(), stage.loops, stage.log);
+    crossing_pairs.find(stage.mesh);
+    const std::vector pairs(crossing_pairs.pairs().begin(), crossing_pairs.pairs().end());
+    ASSERT_GT(pairs.size(), 100u);
+    if (threads == 1) with_one = pairs;
+    EXPECT_EQ(pairs, with_one);
   }
 }
 
