@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "geometry/distance.h"
 #include "geometry/triangle.h"
+#include "mesh/groups.h"
 #include "threads/share_work.h"
 
 namespace kdm {
@@ -18,6 +20,11 @@ constexpr double kShares = 8;
 // Walls face away from each other if their normals enclose more than some 143 degrees: the two
 // sides of a sharp edge are no wall.
 constexpr double kOpposite = -0.8;
+// Triangles look the same way if their normals enclose less than some 18 degrees.
+constexpr double kSame = 0.95;
+// A side of an edge has at least this share of the area that the vertex's triangles have together,
+// seen along its normal. Folded slivers have less.
+constexpr double kSide = 0.25;
 // What is less than this many times the error away is near. There, normals that enclose more than
 // some 107 degrees will do, so that tips count.
 constexpr double kNarrow = 4;
@@ -53,26 +60,57 @@ class WallSearch {
         triangle_at_[v] = t;
       }
     }
+    for (Vec3& normal : vertex_normals_) {
+      areas_.push_back(normal.norm() / 2);
+      normal = normalized_or_zero(normal);
+    }
+    turned_faces_ = Groups(mesh.positions.size(), [&](const auto& put) {
+      for (Index t = 0; t < mesh.triangles.size(); ++t) {
+        for (const Index v : mesh.triangles[t]) {
+          if (face_normals_[t].dot(vertex_normals_[v]) < -kOpposite) put(v, t);
+        }
+      }
+    });
   }
 
   /// Finds the walls across from the vertex; a thickness of `kShares` times the error stands for
-  /// all above.
+  /// all above. On a sharp edge looks along the normals of its sides too: a rod has walls behind
+  /// these, and none behind the edge.
   Walls at(Index v) const {
+    Walls found{kShares * error_, false};
+    look(v, vertex_normals_[v], found);
+    const std::span<const TriangleId> turned = turned_faces_.of(v);
+    for (std::size_t i = 0; i < turned.size(); ++i) {
+      const Vec3& normal = face_normals_[turned[i]];
+      double area = 0;
+      bool is_first = true;
+      for (std::size_t k = 0; k < turned.size(); ++k) {
+        if (face_normals_[turned[k]].dot(normal) <= kSame) continue;
+        is_first = is_first && k >= i;
+        const std::array<Vec3, 3> c = mesh_.corners(turned[k]);
+        area += doubled_area_vector(c[0], c[1], c[2]).norm() / 2;
+      }
+      if (is_first && area >= kSide * areas_[v]) look(v, normal, found);
+    }
+    return found;
+  }
+
+ private:
+  // Looks along one line through the vertex.
+  void look(Index v, const Vec3& outwards, Walls& found) const {
     const Vec3& p = mesh_.positions[v];
-    const Vec3 outwards = normalized_or_zero(vertex_normals_[v]);
     SmallBox behind;
     behind.grow(p);
     behind.grow(Vec3(p - kShares * error_ * outwards));
     SmallBox way = behind;
     way.grow(Vec3(p + kNarrow * error_ * outwards));
-    Walls found{kShares * error_, false};
     surface_.tree().any_meeting(way, triangle_at_[v], [&](TriangleId t) {
       const double facing = face_normals_[t].dot(outwards);
       if (facing > kAcross) return false;
       const std::array<Vec3, 3>& c = surface_.corners(t);
       const double ahead = face_normals_[t].dot(c[0] - p) / facing;
       const bool thins = facing <= kOpposite && ahead < 0 && -ahead < found.thickness &&
-                         behind.meets(surface_.tree().box(t));
+                         behind.meets(surface_.tree().box(t)) && !has_corner(t, v);
       const bool narrows = !found.narrow && ahead != 0 && std::abs(ahead) < kNarrow * error_;
       if (!thins && !narrows) return false;
       const double beside = kBeside * error_;
@@ -82,16 +120,21 @@ class WallSearch {
       if (narrows) found.narrow = true;
       return false;
     });
-    return found;
   }
 
- private:
+  bool has_corner(TriangleId t, Index v) const {
+    const Triangle& corners = mesh_.triangles[t];
+    return std::find(corners.begin(), corners.end(), v) != corners.end();
+  }
+
   const ScaledMesh& mesh_;
   const Reference& surface_;
   double error_;
   std::vector<Vec3> face_normals_;
   std::vector<Vec3> vertex_normals_;
+  std::vector<double> areas_;            // per vertex: of its triangles, as seen along its normal
   std::vector<TriangleId> triangle_at_;  // per vertex: one of its triangles
+  Groups turned_faces_;  // per vertex: the triangles there that do not look the way its normal does
 };
 
 }  // namespace

@@ -22,8 +22,8 @@ struct LocalLimits {
   Marks narrow;
 };
 
-/// Looks along the normal of each vertex, both ways. `surface` holds the mesh's triangles; `near`
-/// one of the reference's near to each vertex, or kNone.
+/// Looks along the normal of each vertex, both ways, and behind the sides of sharp edges. `surface`
+/// holds the mesh's triangles; `near` one of the reference's near to each vertex, or kNone.
 LocalLimits local_limits(const ScaledMesh& mesh, const Reference& surface,
                          const Reference& reference, const std::vector<TriangleId>& near,
                          double error);

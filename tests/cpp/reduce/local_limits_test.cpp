@@ -31,6 +31,31 @@ TEST(LocalLimits, AreAnEighthOfAThinWall) {
   }
 }
 
+// The edges of a rod have no wall behind them, but their sides have.
+TEST(LocalLimits, AreAnEighthOfAThinRodAlongItsEdges) {
+  Mesh rod = shapes::box(Vec3(0, 0, 0), Vec3(1, 0.02, 0.02));
+  for (int i = 0; i < 4; ++i) rod = shapes::subdivided(rod);
+  const std::vector<double> limits = limits_of(rod, 0.01).distance;
+  for (std::size_t v = 0; v < rod.positions.size(); ++v) {
+    const Vec3& p = rod.positions[v];
+    if (p.x() == 0 || p.x() == 1) continue;
+    EXPECT_NEAR(limits[v], 0.02 / 8, 1e-6) << p.transpose();
+  }
+}
+
+// A straight rod of many triangles lost 40 % of its volume.
+TEST(LocalLimits, KeepRodsAsThickAsTheyAre) {
+  Mesh rod = shapes::box(Vec3(0, 0, 0), Vec3(1, 0.003, 0.003));
+  for (int i = 0; i < 3; ++i) rod = shapes::subdivided(rod);
+  const Mesh turned = shapes::rotated(rod, Vec3(1, 2, 3), 0.7);
+  for (const Mesh& mesh : {rod, turned}) {
+    const double volume = check::check_mesh(mesh).volume;
+    const ReducedMesh few = reduce(mesh, mesh, {.error = 0.007});
+    EXPECT_NEAR(check::check_mesh(few).volume, volume, 0.06 * volume);
+    EXPECT_LT(few.triangles.size(), mesh.triangles.size() / 4);
+  }
+}
+
 TEST(LocalLimits, AreTheErrorWhereNothingIsThin) {
   for (const Mesh& mesh : {shapes::cube(), shapes::icosphere(3)}) {
     for (const double limit : limits_of(mesh, 0.01).distance) EXPECT_EQ(limit, 0.01);
