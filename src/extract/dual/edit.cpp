@@ -13,52 +13,44 @@ Index add_vertex(const Vec3& position, DualMesh& mesh) {
   return static_cast<Index>(mesh.leaf.size() - 1);
 }
 
+// Divides triangle (a, b, c) at a vertex m on a-b: half-edge `ab` becomes a-m. Returns the
+// half-edge m-b of the new triangle (m, b, c). Neither of the two is linked.
+HalfEdgeId cut_triangle(HalfEdgeId ab, VertexId m, DualMesh& mesh) {
+  const HalfEdgeId bc = next_in_triangle(ab);
+  const VertexId b = mesh.vertex[bc];
+  const VertexId c = mesh.vertex[previous_in_triangle(ab)];
+  const HalfEdgeId mbc = mesh.add_triangle(mesh.hit[ab / 3], m, b, c);
+  mesh.link(mbc + 1, mesh.opposite[bc]);
+  mesh.link(mbc + 2, bc);  // bc becomes m -> c
+  mesh.vertex[bc] = m;
+  // Vertex b may have been entered by a half-edge that starts elsewhere now.
+  if (mesh.first_half_edge[b] == bc) mesh.first_half_edge[b] = mbc + 1;
+  mesh.strip[ab / 3] = 0;
+  return mbc;
+}
+
 }  // namespace
 
 Index divide_edge(Index ab, const Vec3& position, DualMesh& mesh) {
   const Index ba = mesh.opposite[ab];
-  const Index bc = next_in_triangle(ab);
-  const Index ad = next_in_triangle(ba);
-  const Index a = mesh.vertex[ab];
-  const Index b = mesh.vertex[ba];
-  const Index c = mesh.vertex[previous_in_triangle(ab)];
-  const Index d = mesh.vertex[previous_in_triangle(ba)];
   const Index m = add_vertex(position, mesh);
-  const Index mbc = mesh.add_triangle(mesh.hit[ab / 3], m, b, c);
-  const Index mad = mesh.add_triangle(mesh.hit[ba / 3], m, a, d);
-  mesh.link(mbc + 1, mesh.opposite[bc]);
-  mesh.link(mad + 1, mesh.opposite[ad]);
+  const Index mbc = cut_triangle(ab, m, mesh);
+  const Index mad = cut_triangle(ba, m, mesh);
   mesh.link(mbc, ba);
   mesh.link(mad, ab);
-  mesh.link(mbc + 2, bc);  // bc becomes m -> c
-  mesh.link(mad + 2, ad);
-  mesh.vertex[bc] = m;
-  mesh.vertex[ad] = m;
-  mesh.first_half_edge.push_back(bc);
-  // Vertices a and b may have been entered by half-edges that start elsewhere now.
-  if (mesh.first_half_edge[b] == bc) mesh.first_half_edge[b] = mbc + 1;
-  if (mesh.first_half_edge[a] == ad) mesh.first_half_edge[a] = mad + 1;
+  mesh.first_half_edge.push_back(next_in_triangle(ab));
   if (mesh.open) {  // edges b-c and a-d may be boundary
-    mesh.set_first_half_edge(c, mbc + 2);
-    mesh.set_first_half_edge(d, mad + 2);
+    mesh.set_first_half_edge(mesh.vertex[mbc + 2], mbc + 2);
+    mesh.set_first_half_edge(mesh.vertex[mad + 2], mad + 2);
   }
-  mesh.strip[ab / 3] = mesh.strip[ba / 3] = 0;
   return m;
 }
 
 Index divide_boundary(Index ab, const Vec3& position, DualMesh& mesh) {
-  const Index bc = next_in_triangle(ab);
-  const Index b = mesh.vertex[bc];
-  const Index c = mesh.vertex[previous_in_triangle(ab)];
   const Index m = add_vertex(position, mesh);
-  const Index mbc = mesh.add_triangle(mesh.hit[ab / 3], m, b, c);
-  mesh.link(mbc + 1, mesh.opposite[bc]);
-  mesh.link(mbc + 2, bc);  // bc becomes m -> c
-  mesh.vertex[bc] = m;
-  mesh.first_half_edge.push_back(bc);
-  mesh.first_half_edge[b] = mbc + 1;
-  mesh.set_first_half_edge(c, mbc + 2);
-  mesh.strip[ab / 3] = 0;
+  const Index mbc = cut_triangle(ab, m, mesh);
+  mesh.first_half_edge.push_back(next_in_triangle(ab));
+  mesh.set_first_half_edge(mesh.vertex[mbc + 2], mbc + 2);
   return m;
 }
 
@@ -115,18 +107,10 @@ void Division::edge(Index half_edge, const Vec3& position) {
 
 void Division::side(const OneSidedVertex& m) {
   const HalfEdgeId ab = where_[m.half_edge];
-  const HalfEdgeId bc = next_in_triangle(ab);
-  const VertexId b = mesh_.vertex[bc];
-  const VertexId c = mesh_.vertex[previous_in_triangle(ab)];
-  const HalfEdgeId mbc = mesh_.add_triangle(mesh_.hit[ab / 3], m.vertex, b, c);
-  mesh_.link(mbc + 1, mesh_.opposite[bc]);
-  mesh_.link(mbc + 2, bc);  // bc becomes m -> c
-  mesh_.vertex[bc] = m.vertex;
+  const HalfEdgeId mbc = cut_triangle(ab, m.vertex, mesh_);
   mesh_.link(ab, where_[m.to_start]);
   mesh_.link(mbc, where_[m.from_end]);
-  if (mesh_.first_half_edge[b] == bc) mesh_.first_half_edge[b] = mbc + 1;
-  mesh_.strip[ab / 3] = 0;
-  moved(bc, mbc + 1);
+  moved(next_in_triangle(ab), mbc + 1);
 }
 
 void Division::moved(Index from, Index to) {
