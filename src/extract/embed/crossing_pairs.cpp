@@ -145,7 +145,7 @@ void CrossingPairs::test_all(const DualMesh& mesh) {
   const std::size_t count = changed_triangles_.size() - 1;
   const std::size_t parts = (count + kTrianglesPerPart - 1) / kTrianglesPerPart;
   std::vector<Tester> testers(static_cast<std::size_t>(workers()));
-  std::vector<std::vector<std::pair<TriangleId, TriangleId>>> found(parts);
+  std::vector<Pairs> found(parts);
   share_work(parts, static_cast<int>(testers.size()), [&](std::size_t part, int worker) {
     Tester& tester = testers[static_cast<std::size_t>(worker)];
     if (tester.last_tested_with.empty()) {
@@ -155,16 +155,15 @@ void CrossingPairs::test_all(const DualMesh& mesh) {
     }
     const std::size_t end = std::min(count, (part + 1) * kTrianglesPerPart);
     for (std::size_t i = part * kTrianglesPerPart; i < end; ++i) {
-      test(mesh, static_cast<Index>(i), tester);
+      test(mesh, static_cast<Index>(i), tester, found[part]);
     }
-    found[part] = std::exchange(tester.pairs, {});
   });
-  for (const auto& pairs : found) pairs_.insert(pairs_.end(), pairs.begin(), pairs.end());
+  for (const Pairs& pairs : found) pairs_.insert(pairs_.end(), pairs.begin(), pairs.end());
 }
 
 // Tests a changed triangle against all others in its leaves, but for changed suspects that find it
 // themselves: an enclosed triangle leaves all of them out, a suspect those that come after it.
-void CrossingPairs::test(const DualMesh& mesh, Index number, Tester& tester) const {
+void CrossingPairs::test(const DualMesh& mesh, Index number, Tester& tester, Pairs& found) const {
   const Changed& changed = changed_triangles_[number];
   const Index first_left_out = changed.is_suspect ? number : 0;
   const CachedTriangle cached = pair_test_.cached(mesh, changed.triangle);
@@ -172,8 +171,8 @@ void CrossingPairs::test(const DualMesh& mesh, Index number, Tester& tester) con
     if (tester.last_tested_with[t] == changed.triangle) return;
     tester.last_tested_with[t] = changed.triangle;
     if (!pair_test_.meet(mesh, cached, t, tester.fans)) return;
-    tester.pairs.emplace_back(changed.triangle, t);
-    if (!changed.is_suspect) std::swap(tester.pairs.back().first, tester.pairs.back().second);
+    found.emplace_back(changed.triangle, t);
+    if (!changed.is_suspect) std::swap(found.back().first, found.back().second);
   };
   for (std::size_t i = changed.first_leaf; i < changed_triangles_[number + 1].first_leaf; ++i) {
     if (changed.is_suspect) {

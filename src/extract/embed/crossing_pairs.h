@@ -51,8 +51,8 @@ class CrossingPairs {
   struct Tester {
     std::vector<TriangleId> last_tested_with;  // per triangle
     TestedFans fans;
-    std::vector<std::pair<TriangleId, TriangleId>> pairs;  // found in the part at hand
   };
+  using Pairs = std::vector<std::pair<TriangleId, TriangleId>>;
 
   void find_changed(const DualMesh& mesh, const std::vector<HitId>& updated);
   void renumber(const DualMesh& mesh);
@@ -60,7 +60,7 @@ class CrossingPairs {
   void collect_suspect(const DualMesh& mesh, TriangleId t);
   void collect_enclosed(HitId hit);
   void test_all(const DualMesh& mesh);
-  void test(const DualMesh& mesh, Index number, Tester& tester) const;
+  void test(const DualMesh& mesh, Index number, Tester& tester, Pairs& found) const;
 
   const DualMesh& loops_;
   Suspects suspects_;
@@ -74,7 +74,7 @@ class CrossingPairs {
   std::vector<Changed> changed_triangles_;  // in the last update
   std::vector<CellId> leaves_;              // of one changed triangle after another
   std::vector<Index> changed_number_;       // per triangle: in `changed_triangles_`, or kNone
-  std::vector<std::pair<TriangleId, TriangleId>> pairs_;
+  Pairs pairs_;
   std::vector<TriangleId> flat_triangles_;  // without area
 };
 
