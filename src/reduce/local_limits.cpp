@@ -51,17 +51,20 @@ class WallSearch {
         vertex_normals_(mesh.positions.size(), Vec3::Zero()),
         triangle_at_(mesh.positions.size(), kNone) {
     face_normals_.reserve(mesh.triangles.size());
+    doubled_areas_.reserve(mesh.triangles.size());
+    doubled_areas_seen_.reserve(mesh.positions.size());
     for (Index t = 0; t < mesh.triangles.size(); ++t) {
       const std::array<Vec3, 3> c = mesh.corners(t);
       const Vec3 doubled = doubled_area_vector(c[0], c[1], c[2]);
       face_normals_.push_back(normalized_or_zero(doubled));
+      doubled_areas_.push_back(doubled.norm());
       for (const Index v : mesh.triangles[t]) {
         vertex_normals_[v] += doubled;
         triangle_at_[v] = t;
       }
     }
     for (Vec3& normal : vertex_normals_) {
-      areas_.push_back(normal.norm() / 2);
+      doubled_areas_seen_.push_back(normal.norm());
       normal = normalized_or_zero(normal);
     }
     turned_faces_ = Groups(mesh.positions.size(), [&](const auto& put) {
@@ -82,15 +85,14 @@ class WallSearch {
     const std::span<const TriangleId> turned = turned_faces_.of(v);
     for (std::size_t i = 0; i < turned.size(); ++i) {
       const Vec3& normal = face_normals_[turned[i]];
-      double area = 0;
+      double area = 0;  // doubled
       bool is_first = true;
       for (std::size_t k = 0; k < turned.size(); ++k) {
         if (face_normals_[turned[k]].dot(normal) <= kSame) continue;
         is_first = is_first && k >= i;
-        const std::array<Vec3, 3> c = mesh_.corners(turned[k]);
-        area += doubled_area_vector(c[0], c[1], c[2]).norm() / 2;
+        area += doubled_areas_[turned[k]];
       }
-      if (is_first && area >= kSide * areas_[v]) look(v, normal, found);
+      if (is_first && area >= kSide * doubled_areas_seen_[v]) look(v, normal, found);
     }
     return found;
   }
@@ -132,8 +134,9 @@ class WallSearch {
   double error_;
   std::vector<Vec3> face_normals_;
   std::vector<Vec3> vertex_normals_;
-  std::vector<double> areas_;            // per vertex: of its triangles, as seen along its normal
-  std::vector<TriangleId> triangle_at_;  // per vertex: one of its triangles
+  std::vector<double> doubled_areas_;       // per triangle
+  std::vector<double> doubled_areas_seen_;  // per vertex: of its triangles, seen along its normal
+  std::vector<TriangleId> triangle_at_;     // per vertex: one of its triangles
   Groups turned_faces_;  // per vertex: the triangles there that do not look the way its normal does
 };
 
