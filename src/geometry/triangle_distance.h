@@ -30,11 +30,16 @@ inline double squared_segment_distance(const Vec3& a, const Vec3& b, const Vec3&
   return std::min(nearest_end, (w + (t / area) * v - (s / area) * u).squaredNorm());
 }
 
-/// Tells whether the segment from p to q passes through the triangle, but for rounding.
+/// Tells whether the segment from p to q passes through the triangle, but for rounding: false where
+/// one of its ends lies in the triangle's plane, or both do.
 inline bool passes_through(const Vec3& p, const Vec3& q, const std::array<Vec3, 3>& triangle) {
+  constexpr double kRounding = 1e-12;
   const auto& [a, b, c] = triangle;
   const Vec3 normal = (b - a).cross(c - a);
-  if ((normal.dot(p - a) > 0) == (normal.dot(q - a) > 0)) return false;
+  const double above = normal.dot(p - a);
+  const double below = normal.dot(q - a);
+  const double least = kRounding * normal.norm() * std::max((p - a).norm(), (q - a).norm());
+  if (!(std::min(above, below) < -least && std::max(above, below) > least)) return false;
   const Vec3 way = q - p;
   const double side = way.dot((a - p).cross(b - p));
   return (way.dot((b - p).cross(c - p)) > 0) == (side > 0) &&
