@@ -10,6 +10,7 @@
 #include "geometry/triangle_distance.h"
 #include "mesh/box_tree.h"
 #include "mesh/boxes.h"
+#include "mesh/pinches.h"
 #include "mesh/sides.h"
 #include "prepare/input_faces.h"
 
@@ -90,25 +91,10 @@ class ExactBodies {
 
   // Leaves out bodies with edges of more than two faces, and with vertices of more than one fan.
   void leave_out_joined() {
-    for (const SideId side : surface_.topology.non_manifold_sides) {
-      exact_.clear(body_of(triangle_of(side)));
-    }
-    std::vector<Index> corners(surface_.points.size(), 0);  // at each point
-    for (const Triangle& t : surface_.corners) {
-      for (const PointId p : t) ++corners[p];
-    }
-    for (SideId side = 0; side < surface_.topology.opposite.size(); ++side) {
-      if (!is_exact(triangle_of(side))) continue;
-      Index& left = corners[surface_.corners[triangle_of(side)][corner_of(side)]];
-      if (left == 0) continue;  // its fan was looked at
-      Index fan = 0;
-      SideId at = side;
-      do {
-        ++fan;
-        at = surface_.topology.opposite[previous_side(at)];
-      } while (at != side && at != kNone);
-      if (fan != left) exact_.clear(body_of(triangle_of(side)));
-      left = 0;
+    const Marks pinched = find_pinched(surface_.corners, static_cast<Index>(surface_.points.size()),
+                                       surface_.topology);
+    for (TriangleId t = 0; t < pinched.size(); ++t) {
+      if (pinched.test(t)) exact_.clear(body_of(t));
     }
   }
 
