@@ -87,12 +87,6 @@ class BodySearch {
     return encloses ? (measure.volume < 0 ? -1 : 1) : 0;
   }
 
-  bool is_thin(double volume, double area, const Box& bounds) const {
-    const double thickness = 2 * volume / area;
-    return thickness > 0 && thickness < kThickest * tolerance_ &&
-           (bounds.max - bounds.min).norm() >= kLeastLength * thickness;
-  }
-
   // Tells whether a part may have thin walls, though it is not thin all over.
   bool may_have_walls(Index p) const {
     const double thickness = 2 * parts_[p].measure.volume / parts_[p].measure.area;
@@ -132,7 +126,7 @@ class BodySearch {
         const Part& outer = parts_[p];
         if (outer.measure.volume <= 0 || !holds(outer.shell.bounds, inner.shell.bounds)) continue;
         if (is_thin(outer.measure.volume + inner.measure.volume,
-                    outer.measure.area + inner.measure.area, outer.shell.bounds)) {
+                    outer.measure.area + inner.measure.area, outer.shell.bounds, tolerance_)) {
           bodies.join(cavity, p);
         }
       }
@@ -154,7 +148,7 @@ class BodySearch {
     }
     Marks thin;
     for (const Part& sum : sums) {
-      thin.push_back(is_thin(sum.measure.volume, sum.measure.area, sum.shell.bounds));
+      thin.push_back(is_thin(sum.measure.volume, sum.measure.area, sum.shell.bounds, tolerance_));
     }
     find_walls(body_of_part, thin);
     return thin;
@@ -181,6 +175,12 @@ class BodySearch {
 };
 
 }  // namespace
+
+bool is_thin(double volume, double area, const Box& bounds, double tolerance) {
+  const double thickness = 2 * volume / area;
+  return thickness > 0 && thickness < kThickest * tolerance &&
+         (bounds.max - bounds.min).norm() >= kLeastLength * thickness;
+}
 
 std::optional<Bodies> find_thin_bodies(const Surface& surface, double tolerance) {
   return BodySearch(surface, tolerance).run();

@@ -23,6 +23,10 @@ struct Bodies {
   Index parts() const { return static_cast<Index>(sign.size()); }
 };
 
+/// Tells whether a body is thin all over, by its volume, its area and its bounding box.
+/// `tolerance` is in model units, like all of these.
+bool is_thin(double volume, double area, const Box& bounds, double tolerance);
+
 /// Returns the bodies of a surface without rims, if one of them is thin (see exact_parts.h) and it
 /// can be told which parts lie in which. `tolerance` is in model units. Where no part can be thin,
 /// this takes one pass over the triangles.

@@ -7,6 +7,7 @@
 
 #include "csg/grid_of_faces.h"
 #include "csg/solidify.h"
+#include "csg/unite_thin.h"
 #include "kdmanifold/error.h"
 #include "kdmanifold/options.h"
 #include "kdmanifold/thicken.h"
@@ -28,8 +29,9 @@ Grid build_grid_within(const Mesh& mesh, const BuildOptions& options, double sha
   double threshold = 0;
   if (faces.repair && options.winding_threshold == 0 && goes_by_tolerance(options) &&
       some_part_is_closed(faces)) {
-    threshold = solidify_open_parts(faces, options, part_of_progress(progress, 0, 0.1));
+    threshold = solidify_open_parts(faces, options, part_of_progress(progress, 0, 0.05));
   }
+  unite_thin_parts(faces, options, part_of_progress(progress, 0.05, 0.1));
   return grid_of_faces(std::move(faces), options, share, threshold, progress);
 } catch (const std::bad_alloc&) {
   throw Error(ErrorCode::kOutOfMemory, "there is not enough memory to build the grid");

@@ -47,6 +47,21 @@ PartsMesh mesh_of_parts(const InputFaces& faces, const FaceParts& parts, bool op
   return taken;
 }
 
+void insert_closed(const Mesh& solid, InputFaces& faces) {
+  const auto first = static_cast<Index>(faces.points.size());
+  const auto at = static_cast<std::ptrdiff_t>(faces.triangles.size() - faces.patch_planes.size());
+  faces.points.insert(faces.points.end(), solid.positions.begin(), solid.positions.end());
+  std::vector<Triangle> triangles = solid.triangles;
+  for (Triangle& t : triangles) {
+    for (Index& corner : t) corner += first;
+  }
+  std::vector<Index> source_faces = solid.source_faces;
+  std::replace(source_faces.begin(), source_faces.end(), kNone, kPatch);
+  faces.triangles.insert(faces.triangles.begin() + at, triangles.begin(), triangles.end());
+  faces.source_faces.insert(faces.source_faces.begin() + at, source_faces.begin(),
+                            source_faces.end());
+}
+
 void add_repairs(const InputReport& more, InputReport& sum) {
   sum.sewn_edges += more.sewn_edges;
   sum.sewing_distance = std::max(sum.sewing_distance, more.sewing_distance);

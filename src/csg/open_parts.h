@@ -30,6 +30,10 @@ struct PartsMesh {
 /// Returns the parts whose flag in `parts.open` is `open`.
 PartsMesh mesh_of_parts(const InputFaces& faces, const FaceParts& parts, bool open);
 
+/// Inserts the triangles of a closed mesh before those of patches, which are the last ones. The
+/// topology becomes invalid.
+void insert_closed(const Mesh& solid, InputFaces& faces);
+
 /// Adds how much was sewn and patched to another report.
 void add_repairs(const InputReport& more, InputReport& sum);
 

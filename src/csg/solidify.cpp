@@ -135,22 +135,6 @@ void count_parts(const PartsMesh& open, const FaceParts& parts, const InputFaces
   }
 }
 
-// Inserts a closed mesh before the patches, which are the last triangles.
-void insert(const Mesh& solid, InputFaces& faces) {
-  const auto first = static_cast<Index>(faces.points.size());
-  const auto at = static_cast<std::ptrdiff_t>(faces.triangles.size() - faces.patch_planes.size());
-  faces.points.insert(faces.points.end(), solid.positions.begin(), solid.positions.end());
-  std::vector<Triangle> triangles = solid.triangles;
-  for (Triangle& t : triangles) {
-    for (Index& corner : t) corner += first;
-  }
-  std::vector<Index> source_faces = solid.source_faces;
-  std::replace(source_faces.begin(), source_faces.end(), kNone, kPatch);
-  faces.triangles.insert(faces.triangles.begin() + at, triangles.begin(), triangles.end());
-  faces.source_faces.insert(faces.source_faces.begin() + at, source_faces.begin(),
-                            source_faces.end());
-}
-
 }  // namespace
 
 bool some_part_is_closed(const InputFaces& faces) { return parts_of(faces).some_closed(); }
@@ -179,8 +163,8 @@ double solidify_open_parts(InputFaces& faces, const BuildOptions& options,
     open_triangles.push_back(parts.open_triangle(t));
   }
   drop_faces(faces, open_triangles);
-  insert(rest.closed, faces);
-  insert(built.solid, faces);
+  insert_closed(rest.closed, faces);
+  insert_closed(built.solid, faces);
   faces.repair = false;
   faces.bounds = bounds_of(faces);
   find_topology(faces);

@@ -84,7 +84,7 @@ void warn_of_exactness(const InputReport& input, const GridStats& grid, const Ex
            compose("the tolerance was widened from {} to {} for {}, which cross themselves or each "
                    "other in too many places",
                    rounded(grid.asked_tolerance), rounded(input.rebuilding_tolerance),
-                   count(input.rebuilt_parts, "open part", "open parts")));
+                   count(input.rebuilt_parts, "rebuilt part", "rebuilt parts")));
   }
   if (grid.thin_parts > 0) {
     to.add("THIN_PARTS",
@@ -93,10 +93,10 @@ void warn_of_exactness(const InputReport& input, const GridStats& grid, const Ex
                    count(grid.thin_parts, "part is", "parts are")));
   }
   if (grid.exact_parts > 0) {
-    to.add("THIN_PARTS_EXACT",
-           compose("{} not much thicker than the tolerance, and taken over as given, with {}",
-                   count(grid.exact_parts, "part is", "parts are"),
-                   count(grid.exact_triangles, "triangle", "triangles")));
+    to.add("THIN_PARTS_EXACT", compose("{} not much thicker than the tolerance, and taken over as "
+                                       "given or as rebuilt, with {}",
+                                       count(grid.exact_parts, "part is", "parts are"),
+                                       count(grid.exact_triangles, "triangle", "triangles")));
   }
   if (grid.unresolved_leaves > 0) {
     to.add("TOPOLOGY_UNRESOLVED",

@@ -55,11 +55,12 @@ export interface InputReport {
   /** `repair`: parts that bound nothing and were given a thickness. */
   thickenedParts: number;
   /**
-   * `repair`: parts that neither sewing nor patches close, beside others that are closed; they were
-   * built by themselves.
+   * Parts that were built by themselves. `repair`: those that neither sewing nor patches close,
+   * beside others that are closed. `repair`, `positive`: thin parts that cross or touch each other,
+   * which their union replaces.
    */
   rebuiltParts: number;
-  /** `repair`: what the tolerance was for these parts. In model units. */
+  /** What the tolerance was for these parts, at most. In model units. */
   rebuildingTolerance: number;
   /**
    * `repair`: distance up to which boundary edges were joined: the tolerance, or more where most of
@@ -126,7 +127,7 @@ export interface GridStats {
   unresolvedPositions: OwnFloat64Array;
   /**
    * `adaptive`, `octree`, `feature`: parts about as thin as the tolerance that meet no others; they
-   * are taken over just as they are in the input.
+   * are taken over just as they are in the input, or as they were rebuilt.
    */
   exactParts: number;
   /** Triangles of these parts. */

@@ -50,8 +50,9 @@ struct InputReport {
   double lost_area = 0;
   double largest_lost = 0;
   Index thickened_parts = 0;  ///< `kRepair`: parts that bound nothing and were given a thickness
-  /// `kRepair`: parts that neither sewing nor patches close, beside others that are closed; they
-  /// were built by themselves, with what the tolerance was for them, in model units.
+  /// Parts that were built by themselves, with what the tolerance was for them at most, in model
+  /// units. `kRepair`: those that neither sewing nor patches close, beside others that are closed.
+  /// `kRepair`, `kPositive`: thin parts that cross or touch each other, which their union replaces.
   Index rebuilt_parts = 0;
   double rebuilding_tolerance = 0;
   /// `kRepair`: the distance up to which boundary edges were joined, in model units: the tolerance,
@@ -96,7 +97,8 @@ struct GridStats {
   /// fourth and so on. Saved grids do not keep them.
   std::vector<Vec3> unresolved_positions;
   /// `kAdaptive`, `kOctree`, `kFeature`: parts about as thin as the tolerance that meet no others.
-  /// They are taken over just as they are in the input, and their triangles.
+  /// They are taken over just as they are in the input, or as they were rebuilt; and their
+  /// triangles.
   Index exact_parts = 0;
   Index exact_triangles = 0;
   Index thin_parts = 0;       ///< further thin parts, whose thickness may differ in the result

@@ -82,10 +82,11 @@ void for_each_field(Report& report, Visit&& visit) {
                     "`repair`: parts that bound nothing and were given a thickness"},
         report.thickened_parts);
   visit(ReportField{"rebuilt_parts",
-                    "`repair`: parts that neither sewing nor patches close, beside others that are "
-                    "closed; they were built by themselves"},
+                    "Parts that were built by themselves. `repair`: those that neither sewing nor "
+                    "patches close, beside others that are closed. `repair`, `positive`: thin "
+                    "parts that cross or touch each other, which their union replaces"},
         report.rebuilt_parts);
-  visit(ReportField{"rebuilding_tolerance", "`repair`: what the tolerance was for these parts",
+  visit(ReportField{"rebuilding_tolerance", "What the tolerance was for these parts, at most",
                     Unit::kModelUnits},
         report.rebuilding_tolerance);
   visit(ReportField{"sewing_distance",
@@ -152,7 +153,8 @@ void for_each_field(const GridStats& stats, Visit&& visit) {
         stats.unresolved_positions);
   visit(ReportField{"exact_parts",
                     "`adaptive`, `octree`, `feature`: parts about as thin as the tolerance that "
-                    "meet no others; they are taken over just as they are in the input"},
+                    "meet no others; they are taken over just as they are in the input, or as they "
+                    "were rebuilt"},
         stats.exact_parts);
   visit(ReportField{"exact_triangles", "Triangles of these parts"}, stats.exact_triangles);
   visit(ReportField{"thin_parts", "Further thin parts, whose thickness may differ in the result"},
