@@ -17,6 +17,8 @@ int PrimalQuadric::rank(const Vec3& values, double cutoff) {
   return rank;
 }
 
+int PrimalQuadric::rank(double cutoff) const { return rank(eigenvalues(a_), cutoff); }
+
 // Multiplies b by the pseudo-inverse of A. By the theorem of Cayley and Hamilton, A has the inverse
 // (l0 + l1 - A) / (l0 l1) in the plane of its first two eigenvectors, whose eigenvalues are l0 and
 // l1.

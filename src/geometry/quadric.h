@@ -45,6 +45,9 @@ class PrimalQuadric {
   /// directions the planes determine.
   Vec3 certainty() const;
 
+  /// Returns how many directions the planes determine, with the cutoff of `minimiser`.
+  int rank(double cutoff) const;
+
   /// Returns a point at which E is least; of several the one nearest to the centre. Directions
   /// whose eigenvalue is at most `cutoff` times the largest count as undetermined.
   Vec3 minimiser(double cutoff = kRankCutoff) const;

@@ -5,9 +5,10 @@
 // form a corner with other faces there, and meet none of the leaf's edges. Then its plane is
 // missing among the planes of the hits, and the minimiser may lie anywhere along the crease of the
 // other faces. So the grid keeps a mesh vertex for a loop if all planes of the loop pass near it,
-// and a triangle at the vertex has a plane that differs from all of them. The tip of a corner may
-// also reach through a side of the leaf into a neighbouring leaf none of whose edges is hit. Then
-// the corner is kept for the loop in the leaf that the tip comes from.
+// and a triangle at the vertex has a plane that differs from all of them. It keeps the tip of a
+// wedge as well whose sides are so nearly one plane that the minimiser may lie anywhere between
+// them. The tip of a corner may also reach through a side of the leaf into a neighbouring leaf none
+// of whose edges is hit. Then the corner is kept for the loop in the leaf that the tip comes from.
 #include "link/corners.h"
 
 #include <algorithm>
@@ -160,7 +161,7 @@ class CornerSearch {
     candidates_.clear();
     for (const Index i : crease_vertices_in_.of(leaf)) {
       if (!all_planes_pass(to_vec3(crease_vertex(i).at), max_offset)) continue;
-      if (home_[i] == leaf && !plane_is_missing(crease_vertex(i))) continue;
+      if (home_[i] == leaf && !plane_is_missing(crease_vertex(i)) && !is_tip_of_wedge(i)) continue;
       if (on_same_part(i, box)) candidates_.push_back(i);
     }
     if (candidates_.empty()) return;
@@ -175,13 +176,32 @@ class CornerSearch {
   }
 
   // Tells whether the plane of a triangle at the crease vertex differs from the planes of all hits.
+  // At the tip of a wedge, planes that face away from each other differ however sharp it is.
   bool plane_is_missing(const CreaseVertex& corner) const {
     const std::span<const TriangleId> round = crease_vertices_.triangles_round(corner);
     return std::any_of(round.begin(), round.end(), [&](TriangleId t) {
       return std::all_of(hit_triangles_.begin(), hit_triangles_.end(), [&](TriangleId hit) {
-        return std::abs(normal(hit).dot(normal(t))) < kBendCosine;
+        const double cosine = normal(hit).dot(normal(t));
+        return (surface_.sheet ? std::abs(cosine) : cosine) < kBendCosine;
       });
     });
+  }
+
+  // Tells whether the crease vertex is the tip of a wedge, with two sides that face away from each
+  // other. Though all its planes are there, those of its sides are so nearly the same that the
+  // usual cutoff may leave open how far it reaches. Creases that merely bend have such planes, too,
+  // but they face the same way.
+  bool is_tip_of_wedge(Index number) const {
+    const CreaseVertex& corner = crease_vertex(number);
+    const std::span<const TriangleId> round = crease_vertices_.triangles_round(corner);
+    const bool faces_away = std::any_of(round.begin(), round.end(), [&](TriangleId s) {
+      return std::any_of(round.begin(), round.end(),
+                         [&](TriangleId t) { return normal(s).dot(normal(t)) < -kBendCosine; });
+    });
+    if (surface_.sheet || !faces_away) return false;
+    PrimalQuadric quadric(to_vec3(corner.at));
+    add_planes(corner, quadric);
+    return quadric.rank(PrimalQuadric::kFineCutoff) == 3;
   }
 
   // Tells whether the surface leads from the crease vertex to all hits without leaving two leaves:

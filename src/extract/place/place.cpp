@@ -52,14 +52,17 @@ Vec3 rim_position(const GridData& grid, std::span<const Index> hits,
 }
 
 // A vertex that is as near as this to the corner that the grid keeps in its leaf stays where its
-// hits' planes meet: fractions of the leaf's shortest side and of the tolerance.
+// hits' planes meet: a fraction of the leaf's shortest side, but at least and at most these
+// fractions of the tolerance.
 constexpr double kCornerSideFraction = 0.05;
-constexpr double kCornerToleranceFraction = 0.25;
+constexpr double kLeastCornerFraction = 0.25;
+constexpr double kMostCornerFraction = 0.5;
 
 bool is_beside(const Vec3& corner, const Vec3& point, const LatticeBox& box, double tolerance) {
   const double side = (to_vec3(box.hi) - to_vec3(box.lo)).minCoeff();
-  return (corner - point).norm() <=
-         std::max(kCornerSideFraction * side, kCornerToleranceFraction * tolerance);
+  return (corner - point).norm() <= std::clamp(kCornerSideFraction * side,
+                                               kLeastCornerFraction * tolerance,
+                                               kMostCornerFraction * tolerance);
 }
 
 }  // namespace

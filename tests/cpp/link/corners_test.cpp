@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -90,6 +91,34 @@ TEST(Corners, OfTurnedCubesAreMet) {
       }
     }
     EXPECT_GT(missed, 0) << "otherwise nothing is tested";
+  }
+}
+
+// A wedge that is cut off at an angle: its tips have two planes that nearly face each other.
+Mesh wedge(Random& random) {
+  const double half = 0.5 * random.between(0.15, 0.5);  // radians
+  const double cut = random.between(-0.6, 0.4);
+  Mesh mesh;
+  for (const double end : {0.0, 1.0}) {
+    const double slant = end == 0 ? cut : -cut;
+    mesh.positions.emplace_back(0, 0, end);
+    mesh.positions.emplace_back(std::cos(half), -std::sin(half), end + slant);
+    mesh.positions.emplace_back(std::cos(half), std::sin(half), end + slant);
+  }
+  mesh.triangles = {{0, 2, 1}, {3, 4, 5}, {0, 1, 4}, {0, 4, 3},
+                    {1, 2, 5}, {1, 5, 4}, {2, 0, 3}, {2, 3, 5}};
+  return turned(mesh, random);
+}
+
+TEST(Corners, OfWedgesAreMet) {
+  constexpr double kWithin = 0.01;
+  Random random(11);
+  for (int number = 0; number < 200; ++number) {
+    const Mesh mesh = wedge(random);
+    ASSERT_GT(shapes::signed_volume(mesh), 0);
+    const Grid grid = build_grid(mesh, {.tolerance = kWithin});
+    const Mesh out = extract(grid, {.strict = Strict::kManifold});
+    EXPECT_LT(gap(mesh.positions, out.positions), kWithin) << number;
   }
 }
 
