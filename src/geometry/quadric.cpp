@@ -17,13 +17,10 @@ int PrimalQuadric::rank(const Vec3& values, double cutoff) {
   return rank;
 }
 
-int PrimalQuadric::rank(double cutoff) const { return rank(eigenvalues(a_), cutoff); }
-
 // Multiplies b by the pseudo-inverse of A. By the theorem of Cayley and Hamilton, A has the inverse
 // (l0 + l1 - A) / (l0 l1) in the plane of its first two eigenvectors, whose eigenvalues are l0 and
 // l1.
-Vec3 PrimalQuadric::minimiser(double cutoff) const {
-  const Vec3 values = eigenvalues(a_);
+Vec3 PrimalQuadric::minimiser(const Vec3& values, double cutoff) const {
   switch (rank(values, cutoff)) {
     case 0:
       return centre_;
@@ -55,8 +52,9 @@ Vec3 PrimalQuadric::certainty() const {
   }
 }
 
-Vec3 PrimalQuadric::minimiser_in(const Vec3& lo, const Vec3& hi, double cutoff) const {
-  const Vec3 x = minimiser(cutoff);
+Vec3 PrimalQuadric::minimiser_in(const Vec3& values, const Vec3& lo, const Vec3& hi,
+                                 double cutoff) const {
+  const Vec3 x = minimiser(values, cutoff);
   const bool inside = (x.array() >= lo.array()).all() && (x.array() <= hi.array()).all();
   return inside ? x : boundary_minimiser(lo, hi);
 }
@@ -115,6 +113,16 @@ Vec3 PrimalQuadric::boundary_minimiser(const Vec3& lo, const Vec3& hi) const {
     }
   }
   return centre_ + best;
+}
+
+bool some_face_away(std::span<const Plane* const> planes) {
+  constexpr double kCosine = -0.866;
+  for (std::size_t i = 1; i < planes.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (planes[i]->normal.dot(planes[j]->normal) < kCosine) return true;
+    }
+  }
+  return false;
 }
 
 std::optional<Vec3> point_within(std::span<const Plane> planes, const Vec3& centre, const Vec3& lo,

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "geometry/plane.h"
+#include "geometry/symmetric.h"
 
 namespace kdm {
 
@@ -45,17 +46,30 @@ class PrimalQuadric {
   /// directions the planes determine.
   Vec3 certainty() const;
 
+  /// Returns the eigenvalues of E, in falling order: how well the planes determine a direction.
+  Vec3 spread() const { return eigenvalues(a_); }
   /// Returns how many directions the planes determine, with the cutoff of `minimiser`.
-  int rank(double cutoff) const;
+  int rank(double cutoff) const { return rank(spread(), cutoff); }
+  /// Tells whether a direction is determined by the fine cutoff, but not by the usual one. `spread`
+  /// must be that of this quadric.
+  static bool is_blurred(const Vec3& spread) {
+    return rank(spread, kRankCutoff) < rank(spread, kFineCutoff);
+  }
 
   /// Returns a point at which E is least; of several the one nearest to the centre. Directions
   /// whose eigenvalue is at most `cutoff` times the largest count as undetermined.
-  Vec3 minimiser(double cutoff = kRankCutoff) const;
+  Vec3 minimiser(double cutoff = kRankCutoff) const { return minimiser(spread(), cutoff); }
+  /// The same; `spread` must be that of this quadric.
+  Vec3 minimiser(const Vec3& spread, double cutoff) const;
 
   /// Returns a point of the box at which E is least. The box must hold the centre. If `minimiser`
   /// is outside the box, the least value on the box's faces, edges and corners counts (P.
   /// Lindstrom, C. Silva, A memory insensitive technique for large model simplification, 2001).
-  Vec3 minimiser_in(const Vec3& lo, const Vec3& hi, double cutoff = kRankCutoff) const;
+  Vec3 minimiser_in(const Vec3& lo, const Vec3& hi, double cutoff = kRankCutoff) const {
+    return minimiser_in(spread(), lo, hi, cutoff);
+  }
+  /// The same; `spread` must be that of this quadric.
+  Vec3 minimiser_in(const Vec3& spread, const Vec3& lo, const Vec3& hi, double cutoff) const;
 
   /// Returns `minimiser`, or the point of the box nearest to it if it is outside the box.
   Vec3 minimiser_projected(const Vec3& lo, const Vec3& hi) const {
@@ -87,16 +101,32 @@ struct Minimiser {
   double residual;
 };
 
+/// Tells whether two of the planes face away from each other and differ by less than 30 degrees
+/// otherwise, as the sides of a knife do.
+bool some_face_away(std::span<const Plane* const> planes);
+
 /// Returns the point that `minimiser_in` finds with the usual cutoff. If the residual of this point
 /// is more than half the tolerance, returns the point found with the fine cutoff instead, provided
 /// that its residual is smaller. `residual(x)` must return the largest distance of x to the planes.
-template <typename Residual>
+///
+/// The planes of a knife's sides determine its edge by the fine cutoff only. If they pass together
+/// through a point of the box, this is the point. `is_knife()` must tell whether there are such
+/// planes.
+template <typename Residual, typename IsKnife>
 Minimiser minimiser_within(const PrimalQuadric& quadric, const Vec3& lo, const Vec3& hi,
-                           double tolerance, const Residual& residual) {
-  const Vec3 coarse = quadric.minimiser_in(lo, hi);
+                           double tolerance, const Residual& residual, const IsKnife& is_knife) {
+  const Vec3 spread = quadric.spread();
+  if (PrimalQuadric::is_blurred(spread) && is_knife()) {
+    constexpr double kTogether = 0.0625;  // tolerances
+    const Vec3 edge = quadric.minimiser(spread, PrimalQuadric::kFineCutoff);
+    const bool inside = (edge.array() >= lo.array()).all() && (edge.array() <= hi.array()).all();
+    const double apart = inside ? residual(edge) : tolerance;
+    if (apart <= kTogether * tolerance) return {edge, apart};
+  }
+  const Vec3 coarse = quadric.minimiser_in(spread, lo, hi, PrimalQuadric::kRankCutoff);
   const double off = residual(coarse);
   if (off <= 0.5 * tolerance) return {coarse, off};
-  const Vec3 fine = quadric.minimiser_in(lo, hi, PrimalQuadric::kFineCutoff);
+  const Vec3 fine = quadric.minimiser_in(spread, lo, hi, PrimalQuadric::kFineCutoff);
   const double fine_off = residual(fine);
   return fine_off < off ? Minimiser{fine, fine_off} : Minimiser{coarse, off};
 }

@@ -14,11 +14,28 @@ namespace {
 
 // An edge is sharp if its faces' normals differ by more than 45 degrees.
 constexpr double kSharpCosine = 0.7071067811865476;
+// The sides of a knife's edge differ by more than 120 degrees.
+constexpr double kKnifeCosine = -0.5;
 // A vertex keeps to a sharp edge within this fraction of the tolerance. The rest is left for the
 // hits which splits of neighbouring cells will add, and which move the vertex a little.
 constexpr double kSharpEdgeShare = 0.9;
 // The planes through a rim weigh as much as this many planes of hits, however many they are.
 constexpr double kRimWeight = 2;
+
+// Returns how much of the segment from p to q lies in the box.
+double length_within(const Vec3& p, const Vec3& q, const LatticeBox& box) {
+  const Vec3 along = q - p;
+  double from = 0;
+  double to = 1;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (along[axis] == 0) continue;  // the edge meets the box
+    const double a = (box.lo[axis] - p[axis]) / along[axis];
+    const double b = (box.hi[axis] - p[axis]) / along[axis];
+    from = std::max(from, std::min(a, b));
+    to = std::min(to, std::max(a, b));
+  }
+  return std::max(to - from, 0.0) * along.norm();
+}
 
 }  // namespace
 
@@ -145,7 +162,14 @@ Vec3 FitCheck::planned_vertex(const LatticeBox& box, PieceId piece) const {
     for (const Plane& plane : rim_planes_) largest = std::max(largest, plane.distance(x));
     return largest;
   };
-  return minimiser_within(quadric, to_vec3(box.lo), to_vec3(box.hi), limit_, largest_distance)
+  const auto is_knife = [&] {
+    if (surface_.sheet || !rim_planes_.empty()) return false;
+    std::vector<const Plane*> planes;
+    hits_.for_each_of(piece, [&](const PlannedHit& hit) { planes.push_back(hit.plane); });
+    return some_face_away(planes);
+  };
+  return minimiser_within(quadric, to_vec3(box.lo), to_vec3(box.hi), limit_, largest_distance,
+                          is_knife)
       .point;
 }
 
@@ -164,18 +188,22 @@ bool FitCheck::is_near_triangles(const Vec3& vertex) const {
 }
 
 // A vertex within the tolerance of two faces may be further from the edge between them. Tells
-// whether the vertex is near a sharp edge of the piece, or beside none.
+// whether the vertex is near a sharp edge of the piece, or beside none. Of a knife, the faces are
+// within the tolerance far from the edge: the vertex must be near each such edge, but for those
+// that pass through a corner of the cell.
 bool FitCheck::is_near_sharp_edge(const Vec3& vertex, const CellSurface& cell) const {
   const double limit = kSharpEdgeShare * limit_;
   bool beside = false;
+  bool near = false;
   for (const TriangleId triangle : triangles_) {
     for (int i = 0; i < 3; ++i) {
       const SideId opposite = surface_.topology.opposite[3 * triangle + static_cast<Index>(i)];
       if (opposite == kNone) continue;
       const MemberId neighbour = cell.triangles.member_of(triangle_of(opposite));
       if (neighbour != kNone && cell.is_inner(neighbour)) continue;
-      const Vec3& normal = surface_.planes[triangle].normal;
-      if (normal.dot(surface_.planes[triangle_of(opposite)].normal) >= kSharpCosine) continue;
+      const double cosine =
+          surface_.planes[triangle].normal.dot(surface_.planes[triangle_of(opposite)].normal);
+      if (cosine >= kSharpCosine) continue;
       const LatticeTriangle& t = surface_.triangles[triangle];
       const MemberId member = cell.triangles.member_of(triangle);
       if (!edge_meets_box(t, cell.triangles.outcodes(member), i, cell.triangles.cell())) continue;
@@ -184,11 +212,16 @@ bool FitCheck::is_near_sharp_edge(const Vec3& vertex, const CellSurface& cell) c
       const Vec3 along = to_vec3(b) - to_vec3(a);
       const double foot = along.dot(vertex - to_vec3(a)) / along.squaredNorm();
       if (foot < 0 || foot > 1) continue;
-      if ((to_vec3(a) + foot * along - vertex).squaredNorm() <= limit * limit) return true;
+      if ((to_vec3(a) + foot * along - vertex).squaredNorm() <= limit * limit) {
+        near = true;
+      } else if (cosine < kKnifeCosine &&
+                 length_within(to_vec3(a), to_vec3(b), cell.triangles.cell()) > limit_) {
+        return false;
+      }
       beside = true;
     }
   }
-  return !beside;
+  return near || !beside;
 }
 
 }  // namespace kdm

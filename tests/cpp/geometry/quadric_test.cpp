@@ -181,10 +181,34 @@ TEST(PrimalQuadric, ASlightCreaseCountsWhereThePlanesAskForIt) {
   const auto residual = [&](const Vec3& x) {
     return std::max(std::abs(left.dot(x)), std::abs(right.dot(x)));
   };
+  const auto no_knife = [] { return false; };
   EXPECT_NEAR(quadric.minimiser_in(lo, hi)[0], 4, 1e-9);
   EXPECT_NEAR(quadric.minimiser_in(lo, hi, PrimalQuadric::kFineCutoff)[0], 0, 1e-9);
-  EXPECT_NEAR(minimiser_within(quadric, lo, hi, 1, residual).point[0], 4, 1e-9);
-  EXPECT_NEAR(minimiser_within(quadric, lo, hi, 0.01, residual).point[0], 0, 1e-9);
+  EXPECT_NEAR(minimiser_within(quadric, lo, hi, 1, residual, no_knife).point[0], 4, 1e-9);
+  EXPECT_NEAR(minimiser_within(quadric, lo, hi, 0.01, residual, no_knife).point[0], 0, 1e-9);
+}
+
+// A knife of three degrees: its sides are nearly one plane, too, but face away from each other.
+TEST(PrimalQuadric, TheEdgeOfAKnifeIsWhereItsSidesMeet) {
+  const Plane left{Vec3(0.05, 0, 1).normalized(), 0};
+  const Plane right{Vec3(0.05, 0, -1).normalized(), 0};
+  const std::vector<const Plane*> planes{&left, &left, &right};
+  ASSERT_TRUE(some_face_away(planes));
+  const std::vector<const Plane*> same{&left, &left};
+  ASSERT_FALSE(some_face_away(same));
+  const auto at = [&](const Vec3& centre, bool knife) {
+    PrimalQuadric quadric(centre);
+    for (const Plane* plane : planes) quadric.add(*plane);
+    const auto residual = [&](const Vec3& x) {
+      return std::max(left.distance(x), right.distance(x));
+    };
+    return minimiser_within(quadric, Vec3(-10, -10, -10), Vec3(10, 10, 10), 1, residual,
+                            [&] { return knife; })
+        .point;
+  };
+  EXPECT_NEAR(at(Vec3(-4, 2, 0), true)[0], 0, 1e-9);
+  EXPECT_NEAR(at(Vec3(-4, 2, 0), true)[1], 2, 1e-9) << "along the edge it stays where it was";
+  EXPECT_NEAR(at(Vec3(-4, 2, 0), false)[0], -4, 0.01);
 }
 
 }  // namespace
