@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "mesh/marks.h"
+#include "kdmanifold/mesh.h"
 #include "prepare/faces.h"
 
 namespace kdm {

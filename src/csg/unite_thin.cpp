@@ -10,6 +10,7 @@
 #include "csg/open_and_close.h"
 #include "csg/open_parts.h"
 #include "csg/thin_groups.h"
+#include "kdmanifold/error.h"
 #include "kdmanifold/extract.h"
 #include "mesh/progress.h"
 #include "prepare/edit_faces.h"
@@ -21,22 +22,23 @@ namespace {
 // What a group is built within, as a share of its thickness.
 constexpr double kShareOfThickness = 0.125;
 
-// Builds the union of a group's parts. Returns nothing if its triangles cross, or if it is not thin
-// by `tolerance`, so that it would not be taken over as it is.
+// Builds the union of a group's parts. Returns nothing if nothing comes out, if its triangles
+// cross, or if it is not thin by `tolerance`, so that it would not be taken over as it is.
 Mesh build_union(const ThinGroup& group, const BuildOptions& options, double tolerance,
-                 const Progress& progress) {
-  BuildOptions own = options;
+                 const Progress& progress) try {
+  BuildOptions own;
   own.inside = InsideRule::kPositive;
-  own.strategy = SplitStrategy::kAdaptive;
+  own.pairing = options.pairing;
   own.tolerance = kShareOfThickness * group.thickness;
-  own.relative_tolerance = BuildOptions().relative_tolerance;  // which does not count
-  own.thicken = 0;                                             // the faces have it
   const Grid grid = grid_of_faces(prepare_faces(group.mesh, own), own, 1, 0, progress);
   ExtractedMesh united = extract(grid);
   const MeshReport report = describe(united);
   const bool exact =
       united.report.crossings == 0 && is_thin(report.volume, report.area, report.bounds, tolerance);
   return exact ? std::move(united) : Mesh();
+} catch (const Error& error) {
+  if (error.code() != ErrorCode::kEmptyResult) throw;
+  return {};
 }
 
 }  // namespace
@@ -44,7 +46,8 @@ Mesh build_union(const ThinGroup& group, const BuildOptions& options, double tol
 void unite_thin_parts(InputFaces& faces, const BuildOptions& options, const Progress& progress) {
   const InsideRule rule = options.inside;
   const bool adds_up = rule == InsideRule::kPositive || rule == InsideRule::kRepair;
-  if (faces.repair || !adds_up || !goes_by_tolerance(options) || opens_or_closes(options)) return;
+  const bool may_split = goes_by_tolerance(options) && options.depth == 0;
+  if (faces.repair || !adds_up || !may_split || opens_or_closes(options)) return;
   const double tolerance = tolerance_of(options, faces.report.extent);
   const ThinGroups thin = find_thin_groups(faces, tolerance);
   // Where a part that is inside out takes 1 away, only what two parts hold is inside.
