@@ -2,7 +2,6 @@
 // Finds minimisers of primal quadrics.
 #include "geometry/quadric.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -116,46 +115,14 @@ Vec3 PrimalQuadric::boundary_minimiser(const Vec3& lo, const Vec3& hi) const {
   return centre_ + best;
 }
 
-std::optional<Vec3> minimiser_on_knife(const PrimalQuadric& quadric,
-                                       std::span<const Plane* const> planes, const Vec3& centre,
-                                       const Vec3& lo, const Vec3& hi) {
+bool some_face_away(std::span<const Plane* const> planes) {
   constexpr double kCosine = -0.866;
-  const Plane* one = nullptr;
-  const Plane* other = nullptr;
-  double least = kCosine;
   for (std::size_t i = 1; i < planes.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      const double cosine = planes[i]->normal.dot(planes[j]->normal);
-      if (cosine >= least) continue;
-      least = cosine;
-      one = planes[i];
-      other = planes[j];
+      if (planes[i]->normal.dot(planes[j]->normal) < kCosine) return true;
     }
   }
-  if (one == nullptr) return std::nullopt;
-  const Vec3 along = one->normal.cross(other->normal).normalized();
-  PrimalQuadric sides(centre);
-  sides.add(*one);
-  sides.add(*other);
-  const Vec3 from = sides.minimiser(PrimalQuadric::kFineCutoff);
-  double first = -std::numeric_limits<double>::infinity();
-  double last = std::numeric_limits<double>::infinity();
-  for (int axis = 0; axis < 3; ++axis) {
-    if (along[axis] == 0) continue;
-    const double a = (lo[axis] - from[axis]) / along[axis];
-    const double b = (hi[axis] - from[axis]) / along[axis];
-    first = std::max(first, std::min(a, b));
-    last = std::min(last, std::max(a, b));
-  }
-  if (!(first <= last)) return std::nullopt;
-  // E is a parabola along the edge.
-  const double here = quadric.error(from);
-  const double ahead = quadric.error(from + along);
-  const double behind = quadric.error(from - along);
-  const double curvature = ahead + behind - 2 * here;
-  const double way = curvature > 0 ? (behind - ahead) / (2 * curvature) : 0;
-  const Vec3 point = from + std::min(std::max(way, first), last) * along;
-  return point.cwiseMax(lo).cwiseMin(hi);
+  return false;
 }
 
 std::optional<Vec3> point_within(std::span<const Plane> planes, const Vec3& centre, const Vec3& lo,

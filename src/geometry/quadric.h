@@ -50,8 +50,6 @@ class PrimalQuadric {
   Vec3 spread() const { return eigenvalues(a_); }
   /// Returns how many directions the planes determine, with the cutoff of `minimiser`.
   int rank(double cutoff) const { return rank(spread(), cutoff); }
-  /// The same for the eigenvalues alone.
-  static int rank(const Vec3& spread, double cutoff);
   /// Tells whether a direction is determined by the fine cutoff, but not by the usual one. `spread`
   /// must be that of this quadric.
   static bool is_blurred(const Vec3& spread) {
@@ -87,6 +85,8 @@ class PrimalQuadric {
   static constexpr double kFineCutoff = 1e-4;
 
  private:
+  // Returns how many eigenvalues are above `cutoff` times the largest.
+  static int rank(const Vec3& values, double cutoff);
   Vec3 boundary_minimiser(const Vec3& lo, const Vec3& hi) const;
 
   Vec3 centre_;
@@ -101,29 +101,27 @@ struct Minimiser {
   double residual;
 };
 
-/// Returns the point where E is least on the edge of a knife within the box: two of the planes face
-/// away from each other, as the knife's sides do, and differ by less than 30 degrees otherwise;
-/// they meet along its edge. Returns nothing if no planes do so, or if their edge misses the box.
-/// `centre` may be any point near the box.
-std::optional<Vec3> minimiser_on_knife(const PrimalQuadric& quadric,
-                                       std::span<const Plane* const> planes, const Vec3& centre,
-                                       const Vec3& lo, const Vec3& hi);
+/// Tells whether two of the planes face away from each other and differ by less than 30 degrees
+/// otherwise, as the sides of a knife do.
+bool some_face_away(std::span<const Plane* const> planes);
 
 /// Returns the point that `minimiser_in` finds with the usual cutoff. If the residual of this point
 /// is more than half the tolerance, returns the point found with the fine cutoff instead, provided
 /// that its residual is smaller. `residual(x)` must return the largest distance of x to the planes.
 ///
-/// The sides of a knife determine by the fine cutoff only how far its edge lies from the centre. So
-/// if they do, `on_knife()` is asked for the point on the edge (see `minimiser_on_knife`), which is
-/// returned if it is within half the tolerance of the planes.
-template <typename Residual, typename OnKnife>
+/// The planes of a knife's sides determine its edge by the fine cutoff only. If they pass together
+/// through a point of the box, this is the point. `is_knife()` must tell whether there are such
+/// planes.
+template <typename Residual, typename IsKnife>
 Minimiser minimiser_within(const PrimalQuadric& quadric, const Vec3& lo, const Vec3& hi,
-                           double tolerance, const Residual& residual, const OnKnife& on_knife) {
+                           double tolerance, const Residual& residual, const IsKnife& is_knife) {
   const Vec3 spread = quadric.spread();
-  if (PrimalQuadric::is_blurred(spread)) {
-    const std::optional<Vec3> edge = on_knife();
-    const double apart = edge ? residual(*edge) : tolerance;
-    if (apart <= 0.5 * tolerance) return {*edge, apart};
+  if (PrimalQuadric::is_blurred(spread) && is_knife()) {
+    constexpr double kTogether = 0.0625;  // tolerances
+    const Vec3 edge = quadric.minimiser(spread, PrimalQuadric::kFineCutoff);
+    const bool inside = (edge.array() >= lo.array()).all() && (edge.array() <= hi.array()).all();
+    const double apart = inside ? residual(edge) : tolerance;
+    if (apart <= kTogether * tolerance) return {edge, apart};
   }
   const Vec3 coarse = quadric.minimiser_in(spread, lo, hi, PrimalQuadric::kRankCutoff);
   const double off = residual(coarse);

@@ -162,15 +162,15 @@ Vec3 FitCheck::planned_vertex(const LatticeBox& box, PieceId piece) const {
     for (const Plane& plane : rim_planes_) largest = std::max(largest, plane.distance(x));
     return largest;
   };
-  const Vec3 lo = to_vec3(box.lo);
-  const Vec3 hi = to_vec3(box.hi);
-  const auto on_knife = [&]() -> std::optional<Vec3> {
-    if (surface_.sheet || !rim_planes_.empty()) return std::nullopt;
+  const auto is_knife = [&] {
+    if (surface_.sheet || !rim_planes_.empty()) return false;
     std::vector<const Plane*> planes;
     hits_.for_each_of(piece, [&](const PlannedHit& hit) { planes.push_back(hit.plane); });
-    return minimiser_on_knife(quadric, planes, centre, lo, hi);
+    return some_face_away(planes);
   };
-  return minimiser_within(quadric, lo, hi, limit_, largest_distance, on_knife).point;
+  return minimiser_within(quadric, to_vec3(box.lo), to_vec3(box.hi), limit_, largest_distance,
+                          is_knife)
+      .point;
 }
 
 bool FitCheck::is_near_planes(const Vec3& vertex) const {

@@ -70,7 +70,7 @@ class Moving {
   }
 
   void look_for_move(Index v, Move& best) {
-    if (!read_ring(v) || at_corner(view_.boxes[mesh_.leaf[v]])) return;
+    if (!read_ring(v) || at_corner()) return;
     const Vec3 before = mesh_.position[v];
     const double now = ring_quality(-2);
     const double allowed =
@@ -116,19 +116,11 @@ class Moving {
     return true;
   }
 
-  // Tells whether the hits' planes meet in one point, or along the edge of a knife within the box:
-  // vertices there must not move, however near to the planes they would stay.
-  bool at_corner(const LatticeBox& box) const {
+  // Tells whether the hits' planes meet in one point: vertices at such corners must not move.
+  bool at_corner() const {
     PrimalQuadric quadric(middle_of_hits_);
-    std::vector<const Plane*> planes;
-    for (const Index h : ring_) {
-      planes.push_back(&view_.grid.plane_of(h));
-      quadric.add(*planes.back());
-    }
-    const Vec3 spread = quadric.spread();
-    if (PrimalQuadric::rank(spread, PrimalQuadric::kRankCutoff) == 3) return true;
-    return PrimalQuadric::is_blurred(spread) &&
-           minimiser_on_knife(quadric, planes, middle_of_hits_, to_vec3(box.lo), to_vec3(box.hi));
+    for (const Index h : ring_) quadric.add(view_.grid.plane_of(h));
+    return quadric.certainty().sum() > 2.5;  // the rank
   }
 
   // Returns the least quality of the triangles round the vertex, or of the first ones if it is

@@ -12,9 +12,8 @@ namespace kdm {
 /// or unfolds a triangle. Needles come about where a crease passes between two leaves whose
 /// vertices then lie nearly together. A moved vertex is no further from its hits' planes than it
 /// was before, or else within half the grid's tolerance of them. Vertices stay where their hits'
-/// planes meet in a corner or along the edge of a knife, at corners that the grid keeps, and on the
-/// boundary; in a grid with rims all stay. The mesh must have one triangle for each hit. Returns
-/// the number of moves.
+/// planes meet in a corner, at corners that the grid keeps, and on the boundary; in a grid with
+/// rims all stay. The mesh must have one triangle for each hit. Returns the number of moves.
 Index move_off_slivers(const GridView& view, DualMesh& mesh);
 
 }  // namespace kdm

@@ -48,15 +48,15 @@ Vec3 vertex_position(const GridView& view, std::span<const Index> hits, const La
   const Vec3 lo = to_vec3(box.lo);
   const Vec3 hi = to_vec3(box.hi);
   if (position == VertexPosition::kProjection) return quadric.minimiser_projected(lo, hi);
-  const auto on_knife = [&]() -> std::optional<Vec3> {
-    if (grid.sheet) return std::nullopt;
+  const auto is_knife = [&] {
+    if (grid.sheet) return false;
     std::vector<const Plane*> planes;
     for_each_plane(grid, once, [&](const Plane& plane) { planes.push_back(&plane); });
-    return minimiser_on_knife(quadric, planes, centre, lo, hi);
+    return some_face_away(planes);
   };
   const Minimiser least = minimiser_within(
       quadric, lo, hi, grid.tolerance,
-      [&](const Vec3& x) { return distance_to_planes(grid, hits, x); }, on_knife);
+      [&](const Vec3& x) { return distance_to_planes(grid, hits, x); }, is_knife);
   if (least.residual <= grid.tolerance) return least.point;
   std::vector<Plane> planes;
   for_each_plane(grid, hits, [&](const Plane& plane) { planes.push_back(plane); });
