@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// A binary heap.
 #include "reduce/collapse_queue.h"
 
 #include <algorithm>
@@ -17,19 +16,10 @@ void CollapseQueue::push(const Candidate& candidate) {
   std::push_heap(heap_.begin(), heap_.end(), is_later);
 }
 
-Candidate CollapseQueue::pop_heap() {
+Candidate CollapseQueue::pop() {
   std::pop_heap(heap_.begin(), heap_.end(), is_later);
   const Candidate candidate = heap_.back();
   heap_.pop_back();
-  return candidate;
-}
-
-Candidate CollapseQueue::pop() {
-  if (seen_.empty() || (!heap_.empty() && is_later(seen_.back(), heap_.front()))) {
-    return pop_heap();
-  }
-  const Candidate candidate = seen_.back();
-  seen_.pop_back();
   return candidate;
 }
 

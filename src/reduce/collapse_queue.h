@@ -2,8 +2,6 @@
 // Which edge is collapsed next.
 #pragma once
 
-#include <algorithm>
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -31,32 +29,15 @@ struct Candidate {
 /// of the lower edge, then the earlier place.
 bool is_later(const Candidate& a, const Candidate& b);
 
-/// The candidates in their order.
+/// The candidates in their order: a binary heap.
 class CollapseQueue {
  public:
-  bool empty() const { return heap_.empty() && seen_.empty(); }
+  bool empty() const { return heap_.empty(); }
   void push(const Candidate& candidate);
   Candidate pop();
 
-  /// Calls `visit` for the first candidates for which `counts` is true, `count` at most, in their
-  /// order. They stay in the queue; those before and between them for which it is not do not.
-  /// All that were looked at before must have been taken from the queue.
-  template <typename Counts, typename Visit>
-  void look_ahead(std::size_t count, const Counts& counts, const Visit& visit) {
-    while (seen_.size() < count && !heap_.empty()) {
-      const Candidate candidate = pop_heap();
-      if (!counts(candidate)) continue;
-      seen_.push_back(candidate);
-      visit(candidate);
-    }
-    std::reverse(seen_.begin(), seen_.end());
-  }
-
  private:
-  Candidate pop_heap();
-
   std::vector<Candidate> heap_;
-  std::vector<Candidate> seen_;  // those that were looked at, the last first
 };
 
 }  // namespace kdm

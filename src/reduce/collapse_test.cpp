@@ -34,7 +34,7 @@ bool is_folded(const CollapseRing& ring) {
 
 CollapseTest::CollapseTest(Workpiece& piece, const EdgeErrors& errors, const KeptLines& lines)
     : piece_(piece), errors_(errors), lines_(lines), seen_(piece.positions.size(), 0) {
-  if (piece.distance) smooth_.emplace(piece, piece.distance->creases);
+  if (piece.distance) smooth_.emplace(piece, *piece.distance->creases);
   if (piece.guard) crossing_.emplace(piece.mesh);
 }
 
@@ -60,6 +60,16 @@ bool CollapseTest::meets_link_condition(SideId edge) {
   bool joined = false;
   piece_.mesh.for_each_neighbour(tip, [&](VertexId v) { joined = joined || v == other; });
   return !joined;
+}
+
+// Tells whether nothing at the ring of the edge is fixed.
+bool CollapseTest::is_free(SideId edge) const {
+  if (!piece_.within) return true;
+  bool free = true;
+  for (const VertexId v : {piece_.mesh.start(edge), piece_.mesh.end(edge)}) {
+    piece_.mesh.for_each_neighbour(v, [&](VertexId w) { free = free && !piece_.is_fixed(w); });
+  }
+  return free;
 }
 
 void CollapseTest::make_ring(SideId edge, const Vec3& point, CollapseRing& ring) const {
@@ -125,18 +135,24 @@ bool CollapseTest::fits(SideId edge, CollapseTrial& trial) {
     const double limit = std::min(limits[ring.kept], limits[ring.removed]);
     if (!lines_.stay_near(edge, ring, limit, trial.cut)) return false;
   }
-  trial.asked_guard = is_guarded(ring);
-  return !trial.asked_guard || !piece_.guard->would_meet(ring, *crossing_);
+  return !is_guarded(ring) || !piece_.guard->would_meet(ring, *crossing_);
 }
 
 void CollapseTest::run(SideId edge, CollapsePlace place, CollapseTrial& trial) {
   trial.near.near = kNone;
-  trial.asked_guard = false;
+  if (!is_free(edge)) {
+    trial.verdict = CollapseTrial::Verdict::kBeyond;
+    return;
+  }
   if (!meets_link_condition(edge) || lines_.would_merge(edge)) {
     trial.verdict = CollapseTrial::Verdict::kNever;
     return;
   }
   make_ring(edge, errors_.point_of(edge, place, errors_.quadric_of(edge)), trial.ring);
+  if (!piece_.may_hold(trial.ring.point)) {
+    trial.verdict = CollapseTrial::Verdict::kBeyond;
+    return;
+  }
   trial.verdict =
       fits(edge, trial) ? CollapseTrial::Verdict::kFits : CollapseTrial::Verdict::kNoPlace;
 }

@@ -20,14 +20,14 @@ struct CollapseTrial {
   enum class Verdict {
     kFits,     ///< the edge may be collapsed
     kNoPlace,  ///< not to this place
-    kNever     ///< nowhere, as long as its surroundings stay what they are
+    kNever,    ///< nowhere, as long as its surroundings stay what they are
+    kBeyond    ///< it would change what the piece must leave as it is: nothing is known
   };
 
   Verdict verdict = Verdict::kNever;
-  CollapseRing ring;         ///< what there would be; without meaning if the verdict is `kNever`
-  NearFind near;             ///< if a distance is kept and the tests came to it
-  KeptLines::Cut cut;        ///< if the edge may be collapsed and is on a border
-  bool asked_guard = false;  ///< the ring was held against the rest of the mesh
+  CollapseRing ring;   ///< what there would be; without meaning if it is `kNever` or `kBeyond`
+  NearFind near;       ///< if a distance is kept and the tests came to it
+  KeptLines::Cut cut;  ///< if the edge may be collapsed and is on a border
 };
 
 /// The tests, in order of what they cost.
@@ -41,6 +41,7 @@ class CollapseTest {
 
  private:
   bool meets_link_condition(SideId edge);
+  bool is_free(SideId edge) const;
   void make_ring(SideId edge, const Vec3& point, CollapseRing& ring) const;
   bool fits(SideId edge, CollapseTrial& trial);
   bool keeps_shape(const CollapseRing& ring) const;

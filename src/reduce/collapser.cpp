@@ -5,9 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-
-#include "reduce/trials_ahead.h"
-#include "threads/share_work.h"
+#include <utility>
 
 namespace kdm {
 namespace {
@@ -22,50 +20,23 @@ constexpr double kHopeless = 2;
 // Where the planes are off by no more than this part of the distance allowed, the surface is flat.
 constexpr double kFlat = 0.3;
 constexpr Index kStepsPerReport = 1024;
-#ifdef KDM_HAS_THREADS
-
-// So many triangles are worth another thread, and so many threads can be kept busy.
-constexpr Index kTrianglesPerThread = 1000;
-constexpr int kMostWorkers = 32;
-
-// Returns how many threads are worth it.
-int threads_for(const Workpiece& piece) {
-  if (!piece.distance) return 1;
-  const Index worth = piece.mesh.living_triangles() / kTrianglesPerThread;
-  return static_cast<int>(std::min<Index>(std::min(workers(), kMostWorkers), worth));
-}
-
-#endif
-
-// Makes trials when it is their turn.
-class TrialsInTurn {
- public:
-  TrialsInTurn(Workpiece& piece, const EdgeErrors& errors, const KeptLines& lines)
-      : test_(piece, errors, lines) {}
-
-  template <typename IsCurrent>
-  const CollapseTrial& of(const Candidate& candidate, CollapseQueue&, const IsCurrent&) {
-    test_.run(candidate.edge, candidate.place, trial_);
-    return trial_;
-  }
-  void stepping(const CollapseRing&) {}
-
- private:
-  CollapseTest test_;
-  CollapseTrial trial_;
-};
 
 }  // namespace
 
-Collapser::Collapser(Workpiece& piece)
+CollapseState first_state(const Workpiece& piece) {
+  return {plane_quadrics(piece), Marks(3 * std::size_t{piece.mesh.triangles()})};
+}
+
+Collapser::Collapser(Workpiece& piece, CollapseState state)
     : piece_(piece),
       lines_(piece),
-      errors_(piece, lines_),
+      errors_(piece, std::move(state.quadrics)),
       version_(3 * std::size_t{piece.mesh.triangles()}, 0),
-      failed_(version_.size()),
-      waiting_(version_.size()) {
+      failed_(std::move(state.failed)),
+      waiting_(version_.size()),
+      test_(piece, errors_, lines_) {
   for (SideId h = 0; h < version_.size(); ++h) {
-    if (piece_.mesh.is_edge(h)) consider(h);
+    if (piece_.mesh.is_edge(h) && !failed_.test(h)) consider(h);
   }
 }
 
@@ -92,6 +63,7 @@ void Collapser::push(SideId edge, CollapsePlace place) {
 
 void Collapser::consider(SideId edge) {
   failed_.clear(edge);
+  if (piece_.is_fixed(piece_.mesh.start(edge)) || piece_.is_fixed(piece_.mesh.end(edge))) return;
   const std::optional<CollapsePlace> place = lines_.place_of(edge);
   if (place) push(edge, *place);
 }
@@ -160,8 +132,7 @@ bool Collapser::retry_waiting_edges() {
   return !queue_.empty();
 }
 
-template <typename Trials>
-void Collapser::collapse_to(Index triangles, const std::function<void()>& between, Trials& trials) {
+void Collapser::collapse_to(Index triangles, const std::function<void()>& between) {
   Index steps = 0;
   while (piece_.mesh.living_triangles() > triangles) {
     if (queue_.empty() && !retry_waiting_edges()) break;
@@ -169,32 +140,19 @@ void Collapser::collapse_to(Index triangles, const std::function<void()>& betwee
     const SideId edge = next.edge;
     if (!is_current(next)) continue;
     if (steps++ % kStepsPerReport == 0) between();
-    const CollapseTrial& trial =
-        trials.of(next, queue_, [&](const Candidate& candidate) { return is_current(candidate); });
-    if (trial.near.near != kNone) piece_.distance->near[trial.ring.kept] = trial.near.near;
-    if (trial.verdict == Verdict::kFits) {
-      trials.stepping(trial.ring);
-      step(edge, trial);
+    test_.run(edge, next.place, trial_);
+    if (trial_.near.near != kNone) piece_.distance->near[trial_.ring.kept] = trial_.near.near;
+    if (trial_.verdict == Verdict::kFits) {
+      step(edge, trial_);
       continue;
     }
+    if (trial_.verdict == Verdict::kBeyond) continue;
     failed_.set(edge);
-    if (trial.verdict == Verdict::kNever || next.place != CollapsePlace::kBest) continue;
+    if (trial_.verdict == Verdict::kNever || next.place != CollapsePlace::kBest) continue;
     push(edge, CollapsePlace::kStart);
     push(edge, CollapsePlace::kEnd);
     push(edge, CollapsePlace::kMiddle);
   }
-}
-
-void Collapser::collapse_to(Index triangles, const std::function<void()>& between) {
-#ifdef KDM_HAS_THREADS
-  const int threads = threads_for(piece_);
-  if (threads > 1) {
-    TrialsAhead trials(piece_, errors_, lines_, threads);
-    return collapse_to(triangles, between, trials);
-  }
-#endif
-  TrialsInTurn trials(piece_, errors_, lines_);
-  collapse_to(triangles, between, trials);
 }
 
 }  // namespace kdm

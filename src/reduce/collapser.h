@@ -15,16 +15,28 @@
 
 namespace kdm {
 
+/// What a loop over the edges knows, for another one that goes on after it.
+struct CollapseState {
+  VertexQuadrics quadrics;
+  Marks failed;  ///< per half-edge: no place for its vertex was found
+};
+
+/// Returns what is known before the first edge is collapsed.
+CollapseState first_state(const Workpiece& piece);
+
 /// The loop over the edges.
 class Collapser {
  public:
-  explicit Collapser(Workpiece& piece);
+  /// Begins where others stopped.
+  Collapser(Workpiece& piece, CollapseState state);
 
   /// Goes on until `triangles` are left, or no edge can be collapsed any more. Calls `between` from
   /// time to time.
   void collapse_to(Index triangles, const std::function<void()>& between);
 
   Index collapses() const { return collapses_; }
+  /// Returns what is known once no edge can be collapsed any more.
+  CollapseState state() const { return {errors_.quadrics(), failed_}; }
 
  private:
   void consider(SideId edge);
@@ -33,8 +45,6 @@ class Collapser {
   bool is_current(const Candidate& candidate) const {
     return candidate.version == version_[candidate.edge] && piece_.mesh.is_edge(candidate.edge);
   }
-  template <typename Trials>
-  void collapse_to(Index triangles, const std::function<void()>& between, Trials& trials);
   void step(SideId edge, const CollapseTrial& trial);
   void retry_edges_at(VertexId v);
   bool is_flat(SideId edge) const;
@@ -48,6 +58,8 @@ class Collapser {
   Marks failed_;                       // per half-edge: no place for its vertex was found
   Marks waiting_;                      // per half-edge: is one of `waiting_edges_`
   std::vector<SideId> waiting_edges_;  // they failed, and their surroundings have changed since
+  CollapseTest test_;
+  CollapseTrial trial_;
   Index collapses_ = 0;
 };
 

@@ -34,9 +34,6 @@ class CrossingGuard {
 
   /// Makes known that a triangle's corners are others now, or that it is gone.
   void changed(TriangleId t);
-  /// Brings what tests read up to date. From then on until something changes, several threads may
-  /// test at a time, each with a scratch of its own.
-  void catch_up();
 
  private:
   struct Planned {
@@ -53,6 +50,7 @@ class CrossingGuard {
   bool surely_beyond(const Planned& t, const Vec3& normal, double size, const Vec3& origin,
                      const Triangle& other) const;
   bool meets(const Planned& triangle, TriangleId other) const;
+  void catch_up();
 
   const HalfEdges& mesh_;
   const std::vector<Vec3>& positions_;

@@ -21,48 +21,46 @@ Vec3 centre_of_all(const std::vector<Vec3>& positions) {
   return centre_of(box);
 }
 
-}  // namespace
-
-EdgeErrors::EdgeErrors(const Workpiece& piece, const KeptLines& lines)
-    : piece_(piece), centre_(centre_of_all(piece.positions)), quadric_(piece.positions.size()) {
-  add_triangles();
-  if (lines.any()) add_lines(lines);
-}
-
-void EdgeErrors::add_triangles() {
-  for (TriangleId t = 0; t < piece_.mesh.triangles(); ++t) {
-    const Triangle c = piece_.mesh.corners(t);
-    const Vec3 a = piece_.positions[c[0]] - centre_;
-    const Vec3 doubled =
-        doubled_area_vector(a, piece_.positions[c[1]] - centre_, piece_.positions[c[2]] - centre_);
-    const double length = doubled.norm();
-    if (!(length > 0)) continue;
-    const Vec3 normal = doubled / length;
-    for (const VertexId v : c) quadric_[v].add_plane(normal, normal.dot(a), length);
+void add_triangles(const Workpiece& piece, VertexQuadrics& quadrics) {
+  for (TriangleId t = 0; t < piece.mesh.triangles(); ++t) {
+    const FaceShape& face = piece.faces[t];
+    if (!(face.doubled_area > 0)) continue;
+    const Triangle corners = piece.mesh.corners(t);
+    const Vec3 first = piece.positions[corners[0]] - quadrics.centre;
+    for (const VertexId v : corners) {
+      quadrics.at[v].add_plane(face.normal, face.normal.dot(first), face.doubled_area);
+    }
   }
 }
 
 // Planes through the lines, perpendicular to the triangles beside them, hold vertices there as
 // those of triangles do on the surface.
-void EdgeErrors::add_lines(const KeptLines& lines) {
-  for (SideId h = 0; h < 3 * piece_.mesh.triangles(); ++h) {
-    const TriangleId t = triangle_of(h);
-    if (piece_.mesh.is_removed(t) || !lines.is_line(h)) continue;
-    const Triangle c = piece_.mesh.corners(t);
-    const Vec3 start = piece_.positions[piece_.mesh.start(h)] - centre_;
-    const Vec3 along = piece_.positions[piece_.mesh.end(h)] - centre_ - start;
-    const Vec3 across = normalized_or_zero(along.cross(
-        unit_normal(piece_.positions[c[0]], piece_.positions[c[1]], piece_.positions[c[2]])));
+void add_lines(const Workpiece& piece, VertexQuadrics& quadrics) {
+  for (SideId h = 0; h < 3 * piece.mesh.triangles(); ++h) {
+    if (!piece.is_line(h)) continue;
+    const Vec3 start = piece.positions[piece.mesh.start(h)] - quadrics.centre;
+    const Vec3 along = piece.positions[piece.mesh.end(h)] - quadrics.centre - start;
+    const Vec3 across = normalized_or_zero(along.cross(piece.faces[triangle_of(h)].normal));
     if (across.isZero()) continue;
-    for (const VertexId v : {piece_.mesh.start(h), piece_.mesh.end(h)}) {
-      quadric_[v].add_plane(across, across.dot(start), along.squaredNorm());
+    for (const VertexId v : {piece.mesh.start(h), piece.mesh.end(h)}) {
+      quadrics.at[v].add_plane(across, across.dot(start), along.squaredNorm());
     }
   }
 }
 
+}  // namespace
+
+VertexQuadrics plane_quadrics(const Workpiece& piece) {
+  VertexQuadrics out{centre_of_all(piece.positions),
+                     std::vector<ErrorQuadric>(piece.positions.size())};
+  add_triangles(piece, out);
+  add_lines(piece, out);
+  return out;
+}
+
 ErrorQuadric EdgeErrors::quadric_of(SideId edge) const {
-  ErrorQuadric sum = quadric_[piece_.mesh.start(edge)];
-  sum += quadric_[piece_.mesh.end(edge)];
+  ErrorQuadric sum = quadrics_.at[piece_.mesh.start(edge)];
+  sum += quadrics_.at[piece_.mesh.end(edge)];
   return sum;
 }
 
@@ -74,12 +72,12 @@ Vec3 EdgeErrors::point_of(SideId edge, CollapsePlace place, const ErrorQuadric& 
   const Vec3 middle = 0.5 * (start + end);
   if (place == CollapsePlace::kMiddle) return rounded_to_single(middle);
   // An end that is as good stays where it is: so corners and edges of flat parts stay exact.
-  const Vec3 best = sum.minimiser(middle - centre_);
+  const Vec3 best = sum.minimiser(middle - quadrics_.centre);
   const double good = sum.error(best) + sum.weight() * kAsGood * (end - start).squaredNorm();
-  const double at_start = sum.error(start - centre_);
-  const double at_end = sum.error(end - centre_);
+  const double at_start = sum.error(start - quadrics_.centre);
+  const double at_end = sum.error(end - quadrics_.centre);
   if (std::min(at_start, at_end) <= good) return at_start <= at_end ? start : end;
-  return rounded_to_single(best + centre_);
+  return rounded_to_single(best + quadrics_.centre);
 }
 
 }  // namespace kdm

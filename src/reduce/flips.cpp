@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -25,7 +26,7 @@ class Flipper {
  public:
   explicit Flipper(Workpiece& piece)
       : piece_(piece),
-        smooth_(piece, piece.distance->creases),
+        smooth_(piece, *piece.distance->creases),
         crossing_(piece.mesh),
         changed_(piece.positions.size(), 0),
         moved_in_vain_(piece.positions.size(), 0) {}
@@ -38,7 +39,7 @@ class Flipper {
       const Index before = flips + moves;
       round_before_ = std::exchange(round_, time_);
       for (SideId h = 0; h < sides; ++h) {
-        if (!piece_.mesh.is_edge(h)) continue;
+        if (!piece_.mesh.is_edge(h) || is_fixed(h)) continue;
         if ((round > 0 && !has_changed(h)) || !smooth_.is_false_crease(h)) continue;
         if (flip_here(h)) {
           ++flips;
@@ -52,6 +53,10 @@ class Flipper {
   }
 
  private:
+  bool is_fixed(SideId h) const {
+    return piece_.is_fixed(piece_.mesh.start(h)) || piece_.is_fixed(piece_.mesh.end(h));
+  }
+
   // Tells whether anything at the edge's two triangles has changed in this round or the one before.
   bool has_changed(SideId h) const {
     const auto at = [&](SideId side) {
@@ -81,7 +86,7 @@ class Flipper {
     const SideId back = piece_.mesh.opposite(h);
     for (const SideId side : {h, back, previous_side(h), previous_side(back)}) {
       const VertexId v = piece_.mesh.start(side);
-      if (stays_in_vain(v)) continue;
+      if (piece_.is_fixed(v) || stays_in_vain(v)) continue;
       const VertexMove move = move_to_smooth(piece_, smooth_, crossing_, v);
       if (move == VertexMove::kNever) moved_in_vain_[v] = time_;
       if (move != VertexMove::kMade) continue;
@@ -111,6 +116,7 @@ class Flipper {
     const VertexId b = mesh.start(back);
     const VertexId c = mesh.start(previous_side(h));
     const VertexId d = mesh.start(previous_side(back));
+    if (is_fixed(h) || piece_.is_fixed(c) || piece_.is_fixed(d)) return false;
     bool joined = false;
     mesh.for_each_neighbour(c, [&](VertexId v) { joined = joined || v == d; });
     if (joined || c == d || !smooth_.flip_smooths(h)) return false;
@@ -159,7 +165,7 @@ class Flipper {
 }  // namespace
 
 void find_crossing_creases(Workpiece& piece) {
-  const SmoothTest smooth(piece, piece.distance->creases);
+  const SmoothTest smooth(piece, *piece.distance->creases);
   Marks crossing(3 * std::size_t{piece.mesh.triangles()});
   share_parts(crossing.size(), kSidesPerPart, [&](std::size_t begin, std::size_t end) {
     for (SideId h = static_cast<SideId>(begin); h < end; ++h) {
@@ -172,7 +178,10 @@ void find_crossing_creases(Workpiece& piece) {
     if (!crossing.test(h)) continue;
     segments.push_back({piece.positions[piece.mesh.start(h)], piece.positions[piece.mesh.end(h)]});
   }
-  piece.distance->creases.add(segments);
+  if (segments.empty()) return;
+  auto creases = std::make_shared<TrueCreases>(*piece.distance->creases);
+  creases->add(std::move(segments));
+  piece.distance->creases = std::move(creases);
 }
 
 Index flip_false_creases(Workpiece& piece) { return Flipper(piece).flip_all(); }

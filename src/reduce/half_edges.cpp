@@ -2,6 +2,8 @@
 // Keeps the half-edges linked while edges are collapsed and flipped.
 #include "reduce/half_edges.h"
 
+#include <algorithm>
+
 #include "kdmanifold/error.h"
 #include "mesh/topology.h"
 #include "text/compose.h"
@@ -24,6 +26,48 @@ HalfEdges::HalfEdges(std::span<const Triangle> triangles, Index vertices)
     if (leaving_[start_[h]] == kNone || opposite_[h] == kNone) leaving_[start_[h]] = h;
   }
   check_fans();
+}
+
+VertexId PartNumbers::vertex(VertexId whole) const {
+  return static_cast<VertexId>(std::lower_bound(vertices.begin(), vertices.end(), whole) -
+                               vertices.begin());
+}
+
+SideId PartNumbers::side(SideId whole) const {
+  if (whole == kNone) return kNone;
+  const TriangleId t = triangle_of(whole);
+  const auto at = std::lower_bound(triangles.begin(), triangles.end(), t);
+  if (at == triangles.end() || *at != t) return kNone;
+  return 3 * static_cast<Index>(at - triangles.begin()) + corner_of(whole);
+}
+
+HalfEdges::HalfEdges(const HalfEdges& whole, const PartNumbers& part)
+    : leaving_(part.vertices.size(), kNone), living_(static_cast<Index>(part.triangles.size())) {
+  for (const TriangleId t : part.triangles) {
+    for (SideId h = 3 * t; h < 3 * t + 3; ++h) {
+      const SideId back = part.side(whole.opposite_[h]);
+      const VertexId v = part.vertex(whole.start_[h]);
+      if (leaving_[v] == kNone || back == kNone) leaving_[v] = static_cast<SideId>(start_.size());
+      start_.push_back(v);
+      opposite_.push_back(back);
+    }
+  }
+}
+
+void HalfEdges::put_back(const HalfEdges& copied, const PartNumbers& part, const Marks& owned,
+                         const Marks& inside) {
+  for (SideId h = 0; h < copied.start_.size(); ++h) {
+    const SideId back = copied.opposite_[h];
+    const bool is_owned = owned.test(triangle_of(h));
+    if (is_owned) start_[part.whole_side(h)] = part.whole_vertex(copied.start_[h]);
+    // A neighbour beyond keeps its corners, but what it meets there may have been turned.
+    if (is_owned || (back != kNone && owned.test(triangle_of(back)))) {
+      opposite_[part.whole_side(h)] = part.whole_side(back);
+    }
+  }
+  for (VertexId v = 0; v < copied.leaving_.size(); ++v) {
+    if (inside.test(v)) leaving_[part.vertices[v]] = part.whole_side(copied.leaving_[v]);
+  }
 }
 
 // Every corner of a vertex must be met on the walk round it.

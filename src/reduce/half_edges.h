@@ -9,10 +9,27 @@
 #include <span>
 #include <vector>
 
+#include "mesh/marks.h"
 #include "mesh/numbers.h"
 #include "mesh/sides.h"
 
 namespace kdm {
+
+/// The numbers, in a mesh, of the triangles and vertices of a part of it: ascending.
+struct PartNumbers {
+  std::vector<TriangleId> triangles;
+  std::vector<VertexId> vertices;
+
+  /// Returns the number in the mesh of a side of the part; of kNone that is kNone.
+  SideId whole_side(SideId h) const {
+    return h == kNone ? kNone : 3 * triangles[triangle_of(h)] + corner_of(h);
+  }
+  VertexId whole_vertex(VertexId v) const { return v == kNone ? kNone : vertices[v]; }
+  /// Returns the number in the part of a vertex, which must be there.
+  VertexId vertex(VertexId whole) const;
+  /// Returns the number in the part of a side; kNone if its triangle is not there, or for kNone.
+  SideId side(SideId whole) const;
+};
 
 /// The mesh. A triangle that was removed has no vertices any more, and a vertex that was removed no
 /// half-edge; numbers stay what they were.
@@ -21,6 +38,18 @@ class HalfEdges {
   /// Throws `kInvalidMesh` unless every edge has two triangles that run against each other, or one,
   /// and the triangles of every vertex form one fan. `vertices` is above all corner numbers.
   HalfEdges(std::span<const Triangle> triangles, Index vertices);
+  /// Copies some triangles of a mesh, none of which may have been removed. Where a neighbour is not
+  /// copied, there is none. Vertices may have several fans that way; nothing at these may be asked
+  /// for or changed.
+  HalfEdges(const HalfEdges& whole, const PartNumbers& part);
+
+  /// Takes over what has become of a part that was copied from this mesh: of its triangles that
+  /// `owned` marks, and of the vertices that `inside` does. Nothing else may have been changed in
+  /// the part. Parts that own nothing together may be put back at a time.
+  void put_back(const HalfEdges& copied, const PartNumbers& part, const Marks& owned,
+                const Marks& inside);
+  /// Makes known how many triangles went in parts that were put back.
+  void count_removed(Index triangles) { living_ -= triangles; }
 
   Index triangles() const { return static_cast<Index>(start_.size() / 3); }
   Index vertices() const { return static_cast<Index>(leaving_.size()); }

@@ -12,7 +12,7 @@ namespace kdm {
 KeptLines::KeptLines(const Workpiece& piece) : piece_(piece) {
   const HalfEdges& mesh = piece.mesh;
   for (SideId h = 0; h < 3 * mesh.triangles(); ++h) {
-    if (mesh.is_removed(triangle_of(h)) || !is_line(h)) continue;
+    if (mesh.is_removed(triangle_of(h)) || !is_line(h) || piece.is_fixed(mesh.start(h))) continue;
     any_ = true;
     if (!piece.distance || !piece.is_border(h)) continue;
     const VertexId from = mesh.start(h);

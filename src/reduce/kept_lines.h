@@ -28,9 +28,7 @@ class KeptLines {
   explicit KeptLines(const Workpiece& piece);
 
   bool any() const { return any_; }
-  bool is_line(SideId edge) const {
-    return piece_.mesh.opposite(edge) == kNone || piece_.is_border(edge);
-  }
+  bool is_line(SideId edge) const { return piece_.is_line(edge); }
 
   /// Returns where the vertex goes first that the edge becomes: where the error is least, unless
   /// one end is to stay. None: both ends are to stay, or lie on lines that the edge is not part of.

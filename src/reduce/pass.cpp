@@ -2,9 +2,11 @@
 #include "reduce/pass.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "geometry/exact_sign.h"
 #include "mesh/progress.h"
+#include "reduce/collapse_blocks.h"
 #include "reduce/collapser.h"
 #include "reduce/flips.h"
 
@@ -34,17 +36,22 @@ PassLevel level_of(const Workpiece& piece) {
 
 Pass run_pass(Workpiece& piece, const std::vector<Index>& targets, const Progress& progress) {
   Pass out;
-  if (piece.distance) {
-    find_crossing_creases(piece);
-    out.flips += flip_false_creases(piece);
-  }
-  Collapser collapser(piece);
   const Index at_first = piece.mesh.living_triangles();
   // What is left to do is known where a number of triangles is asked for.
   const double to_go = std::max(1u, at_first - std::min(at_first, targets.back()));
-  const auto report = [&] {
-    report_progress(progress, (at_first - piece.mesh.living_triangles()) / to_go, "reduce");
-  };
+  const auto report_gone = [&](Index gone) { report_progress(progress, gone / to_go, "reduce"); };
+  const auto report = [&] { report_gone(at_first - piece.mesh.living_triangles()); };
+  if (piece.distance) find_crossing_creases(piece);
+  CollapseState state = first_state(piece);
+  BlockSteps in_blocks;
+  // Where a number of triangles is asked for, the cheapest edges of all go first.
+  if (targets == std::vector<Index>{0} && is_worth_blocks(piece)) {
+    in_blocks = collapse_in_blocks(piece, state, report_gone);
+    out.flips += in_blocks.flips;
+  } else if (piece.distance) {
+    out.flips += flip_false_creases(piece);
+  }
+  Collapser collapser(piece, std::move(state));
   for (const Index target : targets) {
     collapser.collapse_to(target, report);
     if (piece.distance && out.levels.size() + 1 == targets.size()) {
@@ -52,7 +59,7 @@ Pass run_pass(Workpiece& piece, const std::vector<Index>& targets, const Progres
     }
     out.levels.push_back(level_of(piece));
   }
-  out.collapses = collapser.collapses();
+  out.collapses = in_blocks.collapses + collapser.collapses();
   return out;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <new>
 #include <optional>
 
@@ -190,15 +191,17 @@ ReducedMesh reduce(const Mesh& mesh, const Mesh& reference, const ReduceOptions&
     kept.emplace(to.all_corners());
     add_foreign(from, error, whole, *kept, near);
     std::optional<Samples> samples;
-    std::optional<TrueCreases> creases;
+    std::shared_ptr<const TrueCreases> creases;
     share_parts(2, 1, [&](std::size_t task, std::size_t) {
       if (task == 0) samples = samples_of(from, surface, to, *kept, near, error);
-      if (task == 1) creases.emplace(whole, kCreaseReach * diagonal_of(to.positions));
+      if (task == 1) {
+        creases = std::make_shared<TrueCreases>(whole, kCreaseReach * diagonal_of(to.positions));
+      }
     });
     LocalLimits limits = local_limits(from, surface, *kept, near, error);
     watched = std::move(limits.narrow);
     distance.emplace(KeptDistance{&*kept, std::move(*samples), error, std::move(limits.distance),
-                                  std::move(near), std::move(*creases)});
+                                  std::move(near), std::move(creases)});
   }
   std::vector<Index> targets = options.target_triangles;
   if (targets.empty()) targets = {0};

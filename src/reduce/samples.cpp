@@ -30,6 +30,28 @@ double Samples::Places::Target::squared_height(const Vec3& p) const {
   return height * height;
 }
 
+Samples::Samples(const Samples& whole, std::span<const TriangleId> part, const Marks& owned)
+    : first_(part.size(), kNone) {
+  for (TriangleId t = 0; t < part.size(); ++t) {
+    if (!owned.test(t)) continue;
+    for (Index s = whole.first_[part[t]]; s != kNone; s = whole.next_[s]) {
+      add(whole.point_[s], t, whole.near_[s]);
+      copied_of_.push_back(s);
+    }
+  }
+}
+
+void Samples::put_back(const Samples& copied, std::span<const TriangleId> part,
+                       const Marks& owned) {
+  for (TriangleId t = 0; t < part.size(); ++t) {
+    if (!owned.test(t)) continue;
+    first_[part[t]] = kNone;
+    for (Index s = copied.first_[t]; s != kNone; s = copied.next_[s]) {
+      put(copied.copied_of_[s], part[t]);
+    }
+  }
+}
+
 void Samples::add(const Vec3& point, TriangleId t, TriangleId near) {
   point_.push_back(point);
   near_.push_back(near);

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "mesh/marks.h"
 #include "reduce/ring.h"
 
 namespace kdm {
@@ -17,6 +18,13 @@ class Samples {
 
   /// `triangles` is how many triangles the mesh has.
   explicit Samples(Index triangles) : first_(triangles, kNone) {}
+
+  /// Copies the points at some triangles of a mesh: those that `owned` marks among the part's.
+  Samples(const Samples& whole, std::span<const TriangleId> part, const Marks& owned);
+
+  /// Takes over where the points of a part that was copied from these went. Parts that own nothing
+  /// together may be put back at a time.
+  void put_back(const Samples& copied, std::span<const TriangleId> part, const Marks& owned);
 
   /// Puts a point to a triangle. `near` is a triangle of the reference that is near to the point.
   void add(const Vec3& point, TriangleId t, TriangleId near);
@@ -45,6 +53,7 @@ class Samples {
   std::vector<TriangleId> near_;  // per sample
   std::vector<Index> next_;       // per sample: the next one at the same triangle
   std::vector<Index> first_;      // per triangle
+  std::vector<Index> copied_of_;  // per sample that was copied: the one that it is a copy of
 };
 
 /// Where points would go. What it was made for last is forgotten when it is used again.

@@ -2,7 +2,9 @@
 // The mesh while it is reduced, with what its steps are held against.
 #pragma once
 
+#include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "reduce/crossing_guard.h"
@@ -10,6 +12,7 @@
 #include "reduce/reference.h"
 #include "reduce/samples.h"
 #include "reduce/shape.h"
+#include "reduce/space_blocks.h"
 #include "reduce/true_creases.h"
 
 namespace kdm {
@@ -25,7 +28,13 @@ struct KeptDistance {
   double error;                  ///< the largest distance anywhere
   std::vector<double> limits;    ///< per vertex: the largest distance round it (see local_limits.h)
   std::vector<TriangleId> near;  ///< per vertex: the reference's triangle that was found near it
-  TrueCreases creases;           ///< of the reference
+  std::shared_ptr<const TrueCreases> creases;  ///< of the reference
+};
+
+/// What steps may change of a workpiece that is a part of another one: what is wholly in a box.
+struct StepsWithin {
+  Box box;      ///< of a block of space (see space_blocks.h)
+  Marks fixed;  ///< per vertex: lies beyond, so nothing at it may change
 };
 
 /// The mesh. Coordinates are of about 1.
@@ -52,6 +61,14 @@ struct Workpiece {
     return !groups.empty() && back != kNone && groups[triangle_of(h)] != groups[triangle_of(back)];
   }
 
+  /// Tells whether the edge lies on a rim or between triangles of two groups.
+  bool is_line(SideId h) const { return mesh.opposite(h) == kNone || is_border(h); }
+
+  /// Tells whether no step may change anything at the vertex.
+  bool is_fixed(VertexId v) const { return within && within->fixed.test(v); }
+  /// Tells whether a step may put a vertex to the point.
+  bool may_hold(const Vec3& p) const { return !within || holds(within->box, p); }
+
   /// Makes known that a triangle's corners are others now, or elsewhere, or that it is gone.
   void changed(TriangleId t) {
     if (!mesh.is_removed(t)) faces[t] = shape_of_face(t);
@@ -66,6 +83,7 @@ struct Workpiece {
   std::optional<CrossingGuard> guard;    // none: nothing is guarded
   std::optional<Marks> guarded;          // per vertex; none: all are guarded
   std::vector<Index> groups;             // per triangle; empty: there are none to keep
+  std::optional<StepsWithin> within;     // none: everything may change
 
  private:
   FaceShape shape_of_face(TriangleId t) const {
