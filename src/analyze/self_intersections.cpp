@@ -15,11 +15,16 @@
 #include "mesh/same_corners.h"
 #include "mesh/scale.h"
 #include "mesh/sort.h"
+#include "threads/share_work.h"
 
 namespace kdm {
 namespace {
 
 using Corners = std::array<Vec3, 3>;
+
+// So many pairs are tested at a time, and this many by one thread before it takes others.
+constexpr std::size_t kMostWaiting = 1 << 16;
+constexpr std::size_t kPairsPerPart = 1024;
 
 class Search {
  public:
@@ -44,6 +49,7 @@ class Search {
       if (size_[set] > 1) look_at(set, set);
     }
     BoxTree(boxes).for_each_pair([&](Index i, Index j) { look_at(i, j); });
+    look_at_waiting();
 
     std::size_t triangle = 0;
     for (Index face = 0; face < faces_.size(); ++face) {
@@ -74,10 +80,30 @@ class Search {
     return {positions_[n[0]], positions_[n[1]], positions_[n[2]]};
   }
 
-  // If the triangles of two sets cross, counts all pairs of one triangle of each set, or of two
-  // triangles if the sets are the same. The two halves of a quad are no pair.
   void look_at(Index i, Index j) {
-    if (!TriangleCrossing<RealKernel>::test(corners(i), numbers(i), corners(j), numbers(j))) return;
+    waiting_.push_back({i, j});
+    if (waiting_.size() == kMostWaiting) look_at_waiting();
+  }
+
+  // Shares the tests of the pairs that wait among threads.
+  void look_at_waiting() {
+    cross_.assign(waiting_.size());
+    share_parts(waiting_.size(), kPairsPerPart, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t n = begin; n < end; ++n) {
+        const auto [i, j] = waiting_[n];
+        cross_.set(
+            n, TriangleCrossing<RealKernel>::test(corners(i), numbers(i), corners(j), numbers(j)));
+      }
+    });
+    for (std::size_t n = 0; n < waiting_.size(); ++n) {
+      if (cross_.test(n)) count(waiting_[n][0], waiting_[n][1]);
+    }
+    waiting_.clear();
+  }
+
+  // Counts all pairs of one triangle of each set, or of two triangles if the sets are the same. The
+  // two halves of a quad are no pair.
+  void count(Index i, Index j) {
     const std::uint64_t n = size_[i];
     const auto halves = std::equal_range(quads_.begin(), quads_.end(), ordered(i, j));
     const std::uint64_t pairs = (i == j ? n * (n - 1) / 2 : n * size_[j]) -
@@ -96,6 +122,8 @@ class Search {
   std::vector<Index> size_;    // per set
   std::vector<Edge> quads_;    // the sets of each quad's halves, ascending
   Marks crossing_;             // sets whose triangles cross others
+  std::vector<Edge> waiting_;  // pairs of sets to be tested
+  Marks cross_;                // per waiting pair
   SelfIntersections result_;
 };
 

@@ -15,6 +15,10 @@
 #include "cli/report_json.h"
 #include "cli/report_text.h"
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 namespace kdm::cli {
 namespace {
 
@@ -99,6 +103,16 @@ class Run {
   bool not_manifold_ = false;
 };
 
+// Keeps what one step gives back for the next one: getting memory anew from the system took a
+// twentieth of the time of large inputs.
+void keep_freed_memory() {
+#ifdef __GLIBC__
+  constexpr int kMebibyte = 1 << 20;
+  mallopt(M_TRIM_THRESHOLD, 256 * kMebibyte);
+  mallopt(M_MMAP_THRESHOLD, 32 * kMebibyte);
+#endif
+}
+
 int run_safely(int argc, const char* const* argv) {
   std::signal(SIGPIPE, SIG_IGN);  // writing into a closed pipe is an error like others
   try {
@@ -119,4 +133,7 @@ int run_safely(int argc, const char* const* argv) {
 }  // namespace
 }  // namespace kdm::cli
 
-int main(int argc, char** argv) { return kdm::cli::run_safely(argc, argv); }
+int main(int argc, char** argv) {
+  kdm::cli::keep_freed_memory();
+  return kdm::cli::run_safely(argc, argv);
+}
