@@ -14,6 +14,8 @@ namespace {
 
 // A surface stays within its tolerance but at creases and where it is thin.
 constexpr double kTolerances = 4;
+// As a rule it stays within this many.
+constexpr double kPromised = 1.5;
 
 void take_triangles(const Mesh& mesh, TriangleSet& to) {
   Polygons(mesh).for_each_triangle([&](Index face, const Triangle& t) {
@@ -37,10 +39,13 @@ BothSurfaces::BothSurfaces(const Mesh& mesh, const GridData& grid, const Mesh& o
   unit = std::ldexp(1.0, exponent);
   input.positions = std::move(scaled_input.positions);
   result.positions = scaled(out.positions, -exponent);
-  const double step = grid.lattice.step;
-  reach = (std::max(kTolerances * grid.tolerance * step, 2 * grid.input.sewing_distance) +
-           grid.simplified + grid.thickness) /
-          unit;
+  const auto distance_of = [&](double tolerances, double sewings) {
+    const double widened = std::max(tolerances * grid.tolerance * grid.lattice.step,
+                                    sewings * grid.input.sewing_distance);
+    return (widened + grid.simplified + grid.thickness) / unit;
+  };
+  reach = distance_of(kTolerances, 2);
+  allowed = distance_of(kPromised, 1);
   told_apart = input_tells() ? reach / kTolerances : reach;
   leave_out_flat();
   match();

@@ -19,12 +19,17 @@ class BothSurfaces {
   double input_area = 0;
   double unit = 1;        ///< length of a scaled unit in model units
   double reach = 0;       ///< what is further from the result is missing from it; scaled
+  double allowed = 0;     ///< how far the surfaces may be apart before one is told; scaled
   double told_apart = 0;  ///< from so far on it can be told what lies within the solid; scaled
 
   /// Return a triangle of the other surface that may be near one of the input, of the result, or
   /// kNone.
   Index in_result(Index triangle) const { return at(result_of_face_, input_key(triangle)); }
   Index in_input(Index triangle) const { return at(input_of_key_, result_key(triangle)); }
+
+  /// Says whether the input alone tells what is inside: not where faces were turned or holes
+  /// closed.
+  bool input_tells() const { return grid_.input.closed && grid_.input.turned_faces == 0; }
 
   /// Says whether the inside rule drops a place on a triangle of the input, as there is solid on
   /// both sides. To be asked for places that are further than `told_apart` from the result.
@@ -46,8 +51,6 @@ class BothSurfaces {
   void match();
   bool inside(int winding) const;
   bool input_inside(const Vec3& place) { return inside(input.winding(place)); }
-  // Where faces were turned or holes closed, the input itself does not tell what is inside.
-  bool input_tells() const { return grid_.input.closed && grid_.input.turned_faces == 0; }
 
   const GridData& grid_;
   const std::vector<Index>& keys_;     // what the result calls the input's faces; empty: numbers

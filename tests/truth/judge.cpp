@@ -138,6 +138,12 @@ class Judgement {
                  result.stats.topology_resolved);
   }
 
+  // What everybody is told, also who does not ask for the error.
+  static bool says_lost(const kdm::Account& account) {
+    return std::any_of(account.warnings.begin(), account.warnings.end(),
+                       [](const Warning& warning) { return warning.code == "AREA_LOST"; });
+  }
+
   void check_result(const char* name, const ExtractedMesh& result,
                     const std::optional<kdm::Account>& account, Strict strict, bool resolved) {
     words_ << name << ": " << result.triangles.size() << " triangles";
@@ -145,7 +151,7 @@ class Judgement {
     verdict_.warned = !result.warnings.empty();
     if (account) {
       for (const Warning& warning : account->warnings) words_ << ", " << warning.code;
-      verdict_.warned = verdict_.warned || !account->warnings.empty();
+      verdict_.warned = verdict_.warned || says_lost(*account);
     }
     words_ << (resolved ? ", resolved" : "") << '\n';
     if (solid_.account.volume == 0) {
@@ -212,7 +218,11 @@ class Judgement {
     if (account->error->to_input.largest < (1 - 1e-9) * far.tolerances * solid_.tolerance) {
       fail(kAccount) << "a vertex is further away than is said\n";
     }
-    if (!account->warnings.empty() && missing.tolerances == 0) check_lost(result, account->lost);
+    if (says_lost(*account) && missing.tolerances == 0) check_lost(result, account->lost);
+    // Gaps that were given up count as within the solid; that they were is told.
+    if (missing.tolerances > 0 && account->warnings.empty() && result.warnings.empty()) {
+      fail(kAccount) << "the error is measured, and nothing is said of it\n";
+    }
   }
 
   // The solid's surface is all there. What is said to be lost of the input all the same, as faces

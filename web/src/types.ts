@@ -129,6 +129,7 @@ export interface Warning {
     | 'FACETS_MISCOUNTED'
     | 'NOT_READ'
     | 'AREA_LOST'
+    | 'FAR_FROM_INPUT'
     | 'PARTS_LOST'
     | 'PARTS_DROPPED'
     | 'CAVITIES_FILLED'

@@ -29,6 +29,9 @@ struct Account {
   LostArea lost;
   std::optional<MeshError> error;  ///< if it was asked for
   /// `AREA_LOST`, if more than a thousandth of the input's area is lost; graver than all others.
+  /// `FAR_FROM_INPUT`, if the error was asked for and is more than one and a half tolerances, where
+  /// `AREA_LOST` or holes that were closed do not account for it. `thicken`, `simplify` and sewing
+  /// over wide gaps allow for as much more.
   std::vector<Warning> warnings;
 };
 

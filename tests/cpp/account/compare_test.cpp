@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <string>
+#include <vector>
 
 #include "account/triangle_set.h"
 #include "kdmanifold/kdmanifold.h"
@@ -56,6 +58,39 @@ TEST(Compare, DistancesAreThoseOfThePlacesThatLieFurthestApart) {
   middle->z() += 0.003;
   EXPECT_NEAR(compare(spiked, grid, cube, {.error = true}).error->to_output.largest, 0.003, 1e-9);
   EXPECT_NEAR(compare(cube, grid, spiked, {.error = true}).error->to_input.largest, 0.003, 1e-9);
+}
+
+std::vector<std::string> codes_of(const Account& account) {
+  std::vector<std::string> codes;
+  for (const Warning& warning : account.warnings) codes.push_back(warning.code);
+  return codes;
+}
+
+// Far, but not so far that the surface counts as lost.
+TEST(Compare, WarnsOfResultsBeyondTheTolerance) {
+  const Mesh cube = shapes::rotated(shapes::cube(), Vec3(1, 2, 3), 0.7);
+  const Grid grid = build_grid(cube);
+  const double tolerance = grid.stats().tolerance;
+  const auto warnings_at = [&](double tolerances) {
+    const Mesh moved = shapes::translated(cube, tolerances * tolerance * Vec3(0, 0, 1));
+    return codes_of(compare(cube, grid, moved, {.error = true}));
+  };
+  const std::vector<std::string> far = {"FAR_FROM_INPUT"};
+  EXPECT_TRUE(warnings_at(1.4).empty());
+  EXPECT_EQ(warnings_at(1.6), far);
+  EXPECT_EQ(warnings_at(3), far);
+  EXPECT_EQ(warnings_at(8), (std::vector<std::string>{"AREA_LOST", "FAR_FROM_INPUT"}));
+  const Mesh moved = shapes::translated(cube, 3 * tolerance * Vec3(0, 0, 1));
+  EXPECT_TRUE(compare(cube, grid, moved).warnings.empty()) << "not measured";
+}
+
+// A hole that was closed is far from the input, and a plate as far as it is thick.
+TEST(Compare, DoesNotWarnOfWhatWasAskedFor) {
+  const Mesh open = shapes::open(shapes::subdivided(shapes::subdivided(shapes::cube())), 32);
+  const Account closed = account_of(open, {.inside = InsideRule::kRepair});
+  EXPECT_GT(closed.error->to_input.largest, 0.2);
+  EXPECT_TRUE(codes_of(closed).empty());
+  EXPECT_TRUE(codes_of(account_of(shapes::open(shapes::cube(), 6), {.thicken = 0.1})).empty());
 }
 
 TEST(Compare, NumbersDoNotDependOnTheScale) {
