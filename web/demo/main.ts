@@ -222,8 +222,13 @@ function begin(source: Source): void {
   heat.refresh();
   showInput(source.name);
   showBusy();
-  if ('mesh' in source) take(source.name, source.mesh);
-  else element('verdict').textContent = `Reading ${source.name}…`;
+  if ('mesh' in source) {
+    take(source.name, source.mesh);
+  } else {
+    element('verdict').textContent = `Reading ${source.name}…`;
+    // The menu names what is shown, and the sample that it named can be chosen again.
+    element<HTMLSelectElement>('sample').selectedIndex = -1;
+  }
   document.body.dataset.inspection = 'busy';
   inspector.inspect(source, (reply) => hear(source.name, reply));
 }

@@ -71,6 +71,16 @@ test('a chosen file is converted', async () => {
   expect(await text('#input-name')).toBe('ring.stl, 1,024 triangles');
 });
 
+test('the sample that was shown before a file can be chosen again', async () => {
+  const menu = page.locator('#sample');
+  expect(await menu.evaluate((select) => select.selectedIndex)).toBe(-1);
+  await busyThenSettled(() => menu.selectOption({ index: 1 }));
+  expect(await text('#input-name')).not.toContain('ring.stl');
+  await choose('ring.stl', torus());
+  await busyThenSettled(() => menu.selectOption({ index: 1 }));
+  expect(await text('#input-name')).not.toContain('ring.stl');
+});
+
 // A cube without one of its triangles, with another one twice and one of no area, and beside it a
 // cube inside out.
 function broken() {
