@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "mesh/sort.h"
 #include "reduce/flips.h"
 
 namespace kdm {
@@ -15,8 +16,7 @@ PartNumbers numbers_of(const HalfEdges& mesh, const SpaceBlock& block) {
   for (const TriangleId t : out.triangles) {
     for (const VertexId v : mesh.corners(t)) out.vertices.push_back(v);
   }
-  std::sort(out.vertices.begin(), out.vertices.end());
-  out.vertices.erase(std::unique(out.vertices.begin(), out.vertices.end()), out.vertices.end());
+  make_set(out.vertices);
   return out;
 }
 

@@ -14,8 +14,8 @@
 namespace kdm {
 namespace {
 
-// A block has this many triangles at most where space can be cut so. With fewer, more is left for
-// the steps between blocks, where threads wait for each other.
+// A block has this many triangles at most where space can be cut so. With fewer, more is left to do
+// between blocks, in turn; with more, a block's triangles leave the caches.
 constexpr Index kMostInBlock = 4096;
 
 std::vector<Box> boxes_of(const Workpiece& piece) {
