@@ -5,10 +5,14 @@
 #include <tuple>
 
 namespace kdm {
+namespace {
 
+// Tells whether a candidate comes after another one.
 bool is_later(const Candidate& a, const Candidate& b) {
   return std::tie(a.cost, a.edge, a.place) > std::tie(b.cost, b.edge, b.place);
 }
+
+}  // namespace
 
 void CollapseQueue::push(const Candidate& candidate) {
   heap_.push_back(candidate);

@@ -25,11 +25,8 @@ struct Candidate {
   CollapsePlace place;
 };
 
-/// Tells whether a candidate comes after another one: the cheapest is the first; of equal ones that
-/// of the lower edge, then the earlier place.
-bool is_later(const Candidate& a, const Candidate& b);
-
-/// The candidates in their order: a binary heap.
+/// The candidates in their order: the cheapest is the first; of equal ones that of the lower edge,
+/// then the earlier place. A binary heap.
 class CollapseQueue {
  public:
   bool empty() const { return heap_.empty(); }

@@ -62,16 +62,6 @@ bool CollapseTest::meets_link_condition(SideId edge) {
   return !joined;
 }
 
-// Tells whether nothing at the ring of the edge is fixed.
-bool CollapseTest::is_free(SideId edge) const {
-  if (!piece_.within) return true;
-  bool free = true;
-  for (const VertexId v : {piece_.mesh.start(edge), piece_.mesh.end(edge)}) {
-    piece_.mesh.for_each_neighbour(v, [&](VertexId w) { free = free && !piece_.is_fixed(w); });
-  }
-  return free;
-}
-
 void CollapseTest::make_ring(SideId edge, const Vec3& point, CollapseRing& ring) const {
   const SideId back = piece_.mesh.opposite(edge);
   ring.kept = piece_.mesh.start(edge);
@@ -140,7 +130,7 @@ bool CollapseTest::fits(SideId edge, CollapseTrial& trial) {
 
 void CollapseTest::run(SideId edge, CollapsePlace place, CollapseTrial& trial) {
   trial.near.near = kNone;
-  if (!is_free(edge)) {
+  if (piece_.is_held(piece_.mesh.start(edge)) || piece_.is_held(piece_.mesh.end(edge))) {
     trial.verdict = CollapseTrial::Verdict::kBeyond;
     return;
   }

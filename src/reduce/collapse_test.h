@@ -41,7 +41,6 @@ class CollapseTest {
 
  private:
   bool meets_link_condition(SideId edge);
-  bool is_free(SideId edge) const;
   void make_ring(SideId edge, const Vec3& point, CollapseRing& ring) const;
   bool fits(SideId edge, CollapseTrial& trial);
   bool keeps_shape(const CollapseRing& ring) const;

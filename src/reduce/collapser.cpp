@@ -63,7 +63,7 @@ void Collapser::push(SideId edge, CollapsePlace place) {
 
 void Collapser::consider(SideId edge) {
   failed_.clear(edge);
-  if (piece_.is_fixed(piece_.mesh.start(edge)) || piece_.is_fixed(piece_.mesh.end(edge))) return;
+  if (piece_.is_edge_fixed(edge)) return;
   const std::optional<CollapsePlace> place = lines_.place_of(edge);
   if (place) push(edge, *place);
 }

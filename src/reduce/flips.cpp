@@ -39,7 +39,7 @@ class Flipper {
       const Index before = flips + moves;
       round_before_ = std::exchange(round_, time_);
       for (SideId h = 0; h < sides; ++h) {
-        if (!piece_.mesh.is_edge(h) || is_fixed(h)) continue;
+        if (!piece_.mesh.is_edge(h) || piece_.is_edge_fixed(h)) continue;
         if ((round > 0 && !has_changed(h)) || !smooth_.is_false_crease(h)) continue;
         if (flip_here(h)) {
           ++flips;
@@ -53,10 +53,6 @@ class Flipper {
   }
 
  private:
-  bool is_fixed(SideId h) const {
-    return piece_.is_fixed(piece_.mesh.start(h)) || piece_.is_fixed(piece_.mesh.end(h));
-  }
-
   // Tells whether anything at the edge's two triangles has changed in this round or the one before.
   bool has_changed(SideId h) const {
     const auto at = [&](SideId side) {
@@ -116,7 +112,7 @@ class Flipper {
     const VertexId b = mesh.start(back);
     const VertexId c = mesh.start(previous_side(h));
     const VertexId d = mesh.start(previous_side(back));
-    if (is_fixed(h) || piece_.is_fixed(c) || piece_.is_fixed(d)) return false;
+    if (piece_.is_edge_fixed(h) || piece_.is_fixed(c) || piece_.is_fixed(d)) return false;
     bool joined = false;
     mesh.for_each_neighbour(c, [&](VertexId v) { joined = joined || v == d; });
     if (joined || c == d || !smooth_.flip_smooths(h)) return false;

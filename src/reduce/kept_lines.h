@@ -27,7 +27,6 @@ class KeptLines {
   /// Remembers where borders run, if a distance is kept. `piece` must outlive this.
   explicit KeptLines(const Workpiece& piece);
 
-  bool any() const { return any_; }
   bool is_line(SideId edge) const { return piece_.is_line(edge); }
 
   /// Returns where the vertex goes first that the edge becomes: where the error is least, unless

@@ -25,15 +25,6 @@ bool is_on_line(const Workpiece& piece, VertexId v) {
   return found;
 }
 
-// Tells whether something at the vertex's triangles is fixed.
-bool is_held(const Workpiece& piece, VertexId v) {
-  bool found = piece.is_fixed(v);
-  if (piece.within) {
-    piece.mesh.for_each_neighbour(v, [&](VertexId w) { found = found || piece.is_fixed(w); });
-  }
-  return found;
-}
-
 // Returns the vertex's triangles with its point elsewhere.
 CollapseRing ring_at(const Workpiece& piece, VertexId v, const Vec3& point) {
   CollapseRing ring{v, v, point, {}, {}};
@@ -85,7 +76,7 @@ bool turns_in_reference(const Workpiece& piece, SideId edge) {
 
 VertexMove move_to_smooth(Workpiece& piece, SmoothTest& smooth, CrossingGuard::Scratch& crossing,
                           VertexId v) {
-  if (is_on_line(piece, v) || is_held(piece, v)) return VertexMove::kNever;
+  if (is_on_line(piece, v) || piece.is_held(v)) return VertexMove::kNever;
   KeptDistance& kept = *piece.distance;
   const Vec3 place = piece.positions[v];
   CollapseRing ring = ring_at(piece, v, place);

@@ -66,6 +66,15 @@ struct Workpiece {
 
   /// Tells whether no step may change anything at the vertex.
   bool is_fixed(VertexId v) const { return within && within->fixed.test(v); }
+  /// Tells whether no step may change the edge.
+  bool is_edge_fixed(SideId h) const { return is_fixed(mesh.start(h)) || is_fixed(mesh.end(h)); }
+  /// Tells whether no step may move the vertex: it or one that an edge joins it with is fixed.
+  bool is_held(VertexId v) const {
+    if (!within) return false;
+    bool found = is_fixed(v);
+    mesh.for_each_neighbour(v, [&](VertexId w) { found = found || is_fixed(w); });
+    return found;
+  }
   /// Tells whether a step may put a vertex to the point.
   bool may_hold(const Vec3& p) const { return !within || holds(within->box, p); }
 
