@@ -5,6 +5,7 @@
 
 #include "construct/construct.h"
 #include "grid/count_stats.h"
+#include "grid/pillows.h"
 #include "kdmanifold/error.h"
 #include "kdmanifold/options.h"
 #include "link/corners.h"
@@ -69,7 +70,8 @@ std::unique_ptr<GridData> grid_of_surface(const Surface& surface, InsideModel& m
   GridStats& stats = grid->stats;
   for (Vec3& p : stats.unresolved_positions) p = grid->lattice.to_model(p);
   stats.topology_resolved = stats.topology_resolved && stats.guessed_faces == 0 &&
-                            !surface.repair && surface.report.rebuilt_parts == 0;
+                            !surface.repair && surface.report.rebuilt_parts == 0 &&
+                            !has_pillows(*grid);
   report_progress(progress, 1.0, "link");
   return grid;
 }

@@ -82,9 +82,7 @@ constexpr Index slot_at_place(Index place, bool reversed) { return place_of_slot
 /// `vertex` holds the leaves in which half-edges start, until `find_loops` numbers the vertices.
 DualMesh dual_mesh_of(const GridData& grid);
 
-/// Drops pillows: parts without volume that consist of two triangles linked to each other on all
-/// sides, or of two quads linked so. They come about where a bulge of the surface pokes through one
-/// grid edge only. Returns the number of parts dropped.
+/// Drops pillows, parts without volume (grid/pillows.h). Returns the number of parts dropped.
 Index drop_pillows(DualMesh& mesh);
 
 /// Finds the loops: every cycle of half-edges that start round a corner becomes a vertex (paper

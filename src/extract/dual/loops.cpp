@@ -2,27 +2,9 @@
 // Makes the dual mesh of a grid, drops pillows, and finds the loops of half-edges.
 #include "extract/dual/dual_mesh.h"
 #include "geometry/assert.h"
+#include "grid/pillows.h"
 
 namespace kdm {
-namespace {
-
-// Returns the triangle that lies beyond all sides of the triangle other than `except`, or kNone if
-// these lie beside several triangles or on the boundary.
-Index only_neighbour(const DualMesh& mesh, Index triangle, Index except) {
-  Index neighbour = kNone;
-  for (Index i = 0; i < 3; ++i) {
-    if (i == except) continue;
-    const Index beyond = mesh.opposite[3 * triangle + i];
-    if (beyond == kNone) return kNone;
-    const Index other = beyond / 3;
-    if (neighbour != kNone && other != neighbour) return kNone;
-    neighbour = other;
-  }
-  return neighbour;
-}
-
-}  // namespace
-
 HalfEdgeId DualMesh::add_triangle(HitId of_hit, VertexId a, VertexId b, VertexId c) {
   const auto half_edge = static_cast<HalfEdgeId>(vertex.size());
   vertex.insert(vertex.end(), {a, b, c});
@@ -79,36 +61,13 @@ DualMesh dual_mesh_of(const GridData& grid) {
 
 Index drop_pillows(DualMesh& mesh) {
   Index dropped = 0;
-  const auto drop = [&](Index triangle) {
-    for (Index i = 0; i < 3; ++i) mesh.vertex[3 * triangle + i] = kNone;
-  };
-  for (Index t = 0; t < mesh.triangles(); ++t) {
-    if (mesh.dropped(t)) continue;
-    const Index other = only_neighbour(mesh, t, 3);
-    if (other != kNone && other != t) {
-      drop(t);
-      drop(other);
-      ++dropped;
-      continue;
+  const auto crosses_strip = [&](HalfEdgeId h) { return (mesh.strip[h / 3] >> h % 3 & 1) != 0; };
+  PillowFinder(mesh.opposite, crosses_strip).for_each([&](const auto& triangles) {
+    for (const Index t : triangles) {
+      for (Index i = 0; i < 3; ++i) mesh.vertex[3 * t + i] = kNone;
     }
-    if (mesh.strip[t] == 0) continue;
-    // Two quads back to back: t and its partner across the strip, and the same behind them.
-    const Index side = mesh.strip[t] & 1 ? 0 : (mesh.strip[t] & 2 ? 1 : 2);
-    const Index behind = only_neighbour(mesh, t, side);
-    if (behind == kNone || behind == t || mesh.strip[behind] == 0) continue;
-    const Index behind_side = mesh.strip[behind] & 1 ? 0 : (mesh.strip[behind] & 2 ? 1 : 2);
-    if (only_neighbour(mesh, behind, behind_side) != t) continue;
-    const Index partner = mesh.opposite[3 * t + side] / 3;
-    const Index behind_partner = mesh.opposite[3 * behind + behind_side] / 3;
-    const Index partner_side = mesh.opposite[3 * t + side] % 3;
-    const Index behind_partner_side = mesh.opposite[3 * behind + behind_side] % 3;
-    if (only_neighbour(mesh, partner, partner_side) != behind_partner ||
-        only_neighbour(mesh, behind_partner, behind_partner_side) != partner) {
-      continue;
-    }
-    for (const Index triangle : {t, partner, behind, behind_partner}) drop(triangle);
     ++dropped;
-  }
+  });
   return dropped;
 }
 

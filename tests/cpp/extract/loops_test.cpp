@@ -2,6 +2,8 @@
 // From links to loops, and the parts without volume that are left out.
 #include <gtest/gtest.h>
 
+#include "grid/pillows.h"
+
 #include <algorithm>
 #include <set>
 
@@ -66,6 +68,21 @@ TEST(Pillows, TwoQuadsBackToBackAreDropped) {
   DualMesh mesh = quad_pillow();
   EXPECT_EQ(drop_pillows(mesh), 1u);
   EXPECT_EQ(kept_triangles(mesh), 0u);
+}
+
+TEST(Pillows, AGridTellsWhetherItHasSome) {
+  GridData grid;
+  grid.opposite = {3, 4, 5, 0, 1, 2};
+  grid.start.assign(6, 0);
+  EXPECT_TRUE(has_pillows(grid));
+  grid.opposite = dual_mesh(kTetrahedron).opposite;
+  grid.start.assign(12, 0);
+  EXPECT_FALSE(has_pillows(grid));
+  const DualMesh quads = quad_pillow();
+  grid.opposite = quads.opposite;
+  grid.start = std::vector<std::uint32_t>(12, 0);
+  for (const HalfEdgeId h : {0, 3, 6, 9}) grid.start[h] = GridData::kStrip;
+  EXPECT_TRUE(has_pillows(grid));
 }
 
 TEST(Pillows, FourTrianglesWithoutStripsAreNoPillowOfQuads) {
