@@ -52,6 +52,16 @@ inline int longest_axis(const LatticeBox& box) {
   return axis;
 }
 
+/// Returns the point of the box's lattice points that is nearest to a point in lattice units.
+inline LatticePoint nearest_point_in(const LatticeBox& box, const Vec3& point) {
+  LatticePoint p;
+  for (int i = 0; i < 3; ++i) {
+    p[i] = static_cast<std::int32_t>(
+        std::clamp(std::floor(point[i] + 0.5), double(box.lo[i]), double(box.hi[i])));
+  }
+  return p;
+}
+
 /// The corners of an input triangle, rounded to the lattice.
 using LatticeTriangle = std::array<LatticePoint, 3>;
 

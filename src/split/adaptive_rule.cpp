@@ -7,15 +7,17 @@
 // the other way round: a cut that brings out a part's topology often makes it fit as well, and
 // small parts are separated from each other before any of them is cut.
 // Crossing shells. Where shells cross, their pieces bound the solid together: one vertex must fit
-// them all, as it does on the crease of their union. Topology is neither pursued nor claimed there.
-// Sheets. Where sheets cross, each keeps its own vertices.
-// Holes. What closes a hole takes part in neither test.
+// them all, as it does on the crease of their union. Topology is claimed where the pieces cross in
+// pairs along arcs (crossing_arcs.h), and pursued down to the tolerance where they cross more
+// often. Sheets. Where sheets cross, each keeps its own vertices. Holes. What closes a hole takes
+// part in neither test.
 #include <algorithm>
 #include <cmath>
 
 #include "inside/gaps.h"
 #include "mesh/marks.h"
 #include "split/contact_points.h"
+#include "split/crossing_arcs.h"
 #include "split/crossing_triangles.h"
 #include "split/cut_choice.h"
 #include "split/fit_check.h"
@@ -80,7 +82,9 @@ class AdaptiveRule : public SplitRule {
         fit_(surface, tolerance_, shared_tolerance(surface, tolerance_)),
         topology_(surface),
         contact_points_(surface),
-        inner_triangles_(surface, model, widest_gap(tolerance)),
+        states_(model),
+        inner_triangles_(surface, model, states_, widest_gap(tolerance)),
+        arcs_(states_),
         cuts_(surface, tolerance_, max_depth, position),
         most_fine_splits_(budget_of_fine_splits(surface, tolerance)) {}
 
@@ -168,7 +172,10 @@ class AdaptiveRule : public SplitRule {
         contact_points_.exist_in(surface_in_cell_, shells_cross)) {
       return split_for_fit(cell);
     }
-    if (shells_cross) return leave_unresolved(cell);
+    if (shells_cross) {
+      const bool plain = some_cross && !crossings.has_touches && !crossings.has_gaps;
+      return plain ? choose_at_crossings(cell, small) : leave_unresolved(cell);
+    }
     if (crossings.some_dropped()) return std::nullopt;
     if (topology_.is_surely_embedded(surface_in_cell_) || !triangles_cross()) return std::nullopt;
     // Shells cross between the cell's edges, so that no crossing was dropped.
@@ -182,6 +189,7 @@ class AdaptiveRule : public SplitRule {
   // touch.
   bool leave_inner_out(const CellView& cell) {
     CellPieces& pieces = surface_in_cell_.pieces;
+    states_known_ = false;
     const Marks& crossing = crossing_triangles_.find_all(surface_in_cell_.triangles);
     const bool some_cross = crossing.any();
     if (!counts_states_) {
@@ -191,7 +199,9 @@ class AdaptiveRule : public SplitRule {
         return some_cross;
       }
     } else if (some_cross && surface_in_cell_.triangles.size() <= kManyTriangles) {
-      inner_triangles_.find(surface_in_cell_, cell.state, crossing);
+      states_.start(surface_in_cell_.triangles, cell.state);
+      inner_triangles_.find(surface_in_cell_, crossing);
+      states_known_ = true;
     } else if (some_cross) {
       // Too many to be looked at: any of what crosses may bound the solid.
       surface_in_cell_.inner.assign(surface_in_cell_.triangles.size(), {});
@@ -214,6 +224,19 @@ class AdaptiveRule : public SplitRule {
   bool is_fine(const LatticeBox& box) const { return diagonal(box) <= kFine * tolerance_; }
 
   bool triangles_cross() { return crossing_triangles_.exist_in(surface_in_cell_.triangles); }
+
+  // Where pieces cross, and fit: the cell stays a leaf, resolved if the solid's boundary is known
+  // to be a set of disks.
+  std::optional<Split> choose_at_crossings(const CellView& cell, bool small) {
+    if (!states_known_ || surface_.patched) return leave_unresolved(cell);
+    const CrossingArcs::Answer answer = arcs_.join_pieces_to_disks(
+        surface_in_cell_, crossing_triangles_.find_pairs(surface_in_cell_.triangles));
+    if (answer == CrossingArcs::Answer::kDisks) return std::nullopt;
+    const bool pursue = answer == CrossingArcs::Answer::kTooMuch && !small &&
+                        !surface_.has_rims() && !cuts_.is_below_topology_floor(surface_in_cell_);
+    const std::optional<Split> split = pursue ? cuts_.split_for_fit(cell) : std::nullopt;
+    return split ? split : leave_unresolved(cell);
+  }
 
   std::optional<Split> split_for_fit(const CellView& cell) {
     const std::optional<Split> split = cuts_.split_for_fit(cell);
@@ -271,7 +294,10 @@ class AdaptiveRule : public SplitRule {
   TopologyCheck topology_;
   CrossingTriangles crossing_triangles_;
   ContactPoints contact_points_;
+  CellStates states_;
+  bool states_known_ = false;  // in the cell at hand
   InnerTriangles inner_triangles_;
+  CrossingArcs arcs_;
   Marks must_bound_;  // per piece of the cell at hand: some triangle is known to bound the solid
   CutChoice cuts_;
   std::optional<Split> between_parts_;  // a plane between the small parts of the cell at hand

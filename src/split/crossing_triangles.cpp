@@ -83,6 +83,16 @@ void CrossingTriangles::for_each_crossing(const CellTriangles& triangles, const 
   }
 }
 
+std::span<const CrossingPair> CrossingTriangles::find_pairs(const CellTriangles& triangles) {
+  pairs_.clear();
+  const auto skips_none = [](MemberId, MemberId) { return false; };
+  for_each_crossing(triangles, skips_none, [&](MemberId i, MemberId j) {
+    pairs_.push_back({i, j});
+    return false;
+  });
+  return pairs_;
+}
+
 bool CrossingTriangles::exist_in(const CellTriangles& triangles) {
   bool exist = false;
   const auto skips_none = [](MemberId, MemberId) { return false; };

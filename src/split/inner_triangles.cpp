@@ -16,15 +16,6 @@ constexpr double kInset = 1.0 / 16;
 // other triangles.
 constexpr double kLeastWidth = 64;
 
-// Tells whether the point lies before the triangle: on the side that its normal points to.
-bool lies_before(const LatticeTriangle& t, const LatticePoint& p) {
-  const std::array<std::int64_t, 3> normal = area_vector(t);
-  std::int64_t height = 0;
-  for (int i = 0; i < 3; ++i) height += normal[i] * (p[i] - t[0][i]);
-  for (int i = 0; i < 3 && height == 0; ++i) height = normal[i];  // grid points are shifted upwards
-  return height > 0;
-}
-
 // Tells whether the polygon is wide enough to speak for others.
 bool is_wide(const ClippedPolygon& polygon) {
   Vec3 area = Vec3::Zero();
@@ -37,31 +28,13 @@ bool is_wide(const ClippedPolygon& polygon) {
   return area.norm() > kLeastWidth * longest;
 }
 
-// Tells whether a triangle reaches out of its cell across the axis.
-bool reaches_out(const Outcodes& corners, int axis) {
-  const unsigned all = corners[0] | corners[1] | corners[2];
-  return (all >> 2 * axis & 3u) != 0;
-}
-
-LatticePoint nearest_in(const LatticeBox& box, const Vec3& point) {
-  LatticePoint p;
-  for (int i = 0; i < 3; ++i) {
-    p[i] = static_cast<std::int32_t>(
-        std::clamp(std::floor(point[i] + 0.5), double(box.lo[i]), double(box.hi[i])));
-  }
-  return p;
-}
-
 }  // namespace
 
-void InnerTriangles::find(CellSurface& surface_in_cell, int state, const Marks& crossing) {
+void InnerTriangles::find(CellSurface& surface_in_cell, const Marks& crossing) {
   const CellTriangles& cell = surface_in_cell.triangles;
   cell_ = &cell;
-  state_ = state;
   surface_in_cell.inner.assign(cell.size(), {});
   find_members_apart(surface_in_cell.pieces, crossing);
-  line_members_.list(cell);
-  find_first_crossings();
   answer_of_.assign(cell.size(), std::nullopt);
   for (MemberId m = 0; m < cell.size(); ++m) {
     const bool apart = !apart_.empty() && groups_.contains(m);
@@ -139,19 +112,18 @@ bool InnerTriangles::bounds_nothing(MemberId member, const Vec3& point) const {
   const LatticeTriangle& t = cell_->corners(member);
   const Vec3& normal = surface_.planes[cell_->triangle(member)].normal;
   const auto beside = [&](double distance) {
-    return nearest_in(cell_->cell(), point + distance * normal);
+    return nearest_point_in(cell_->cell(), point + distance * normal);
   };
-  const auto inside = [&](int state) { return model_.is_inside(state).value_or(false); };
   const LatticePoint before = beside(kBeside);
   const LatticePoint behind = beside(-kBeside);
   if (!lies_before(t, before) || lies_before(t, behind)) return false;  // at the cell's side
-  const int state_before = state_at(before);
-  const int state_behind = state_at(behind);
-  const bool inside_before = inside(state_before);
-  if (inside_before == inside(state_behind)) {
+  const int state_before = states_.at(before);
+  const int state_behind = states_.at(behind);
+  const bool inside_before = states_.is_inside(state_before);
+  if (inside_before == states_.is_inside(state_behind)) {
     return inside_before || is_cut_off(state_before, state_behind);
   }
-  return inside(state_at(beside(inside_before ? -reach_ : reach_)));
+  return states_.is_inside(states_.at(beside(inside_before ? -reach_ : reach_)));
 }
 
 // Tells of the states of two points outside, on either side of a triangle, whether faces lie on
@@ -160,61 +132,6 @@ bool InnerTriangles::bounds_nothing(MemberId member, const Vec3& point) const {
 bool InnerTriangles::is_cut_off(int before, int behind) const {
   if (surface_.several_solids()) return before != behind;
   return model_.leaves_slivers_out();
-}
-
-// Finds the crossings on the cell's lowest edge along axis 0, on which all ways begin.
-void InnerTriangles::find_first_crossings() {
-  first_crossings_.clear();
-  const LatticePoint& low = cell_->cell().lo;
-  line_members_.for_each(0, low, [&](MemberId m) {
-    const LatticeTriangle& t = cell_->corners(m);
-    const int normal = line_crosses(t, 0, low[1], low[2]);
-    if (normal == 0) return;
-    const std::int32_t plane = floor_of(crossing_position(t, 0, low[1], low[2]));
-    if (plane >= low[0]) first_crossings_.push_back({plane, cell_->triangle(m), normal > 0});
-  });
-}
-
-// Follows three grid lines from the cell's lowest corner.
-int InnerTriangles::state_at(const LatticePoint& point) const {
-  LatticePoint at = cell_->cell().lo;
-  int state = state_;
-  for (const FirstCrossing& crossing : first_crossings_) {
-    if (crossing.plane >= point[0]) continue;
-    state = model_.state_after(state, crossing.triangle, crossing.leaving);
-  }
-  at[0] = point[0];
-  for (int axis = 1; axis < 3; ++axis) {
-    state = follow(axis, at, point[axis], state);
-    at[axis] = point[axis];
-  }
-  return state;
-}
-
-// Follows a grid line upwards from a point in the cell that has the given state, and returns the
-// state at the end.
-int InnerTriangles::follow(int axis, const LatticePoint& from, std::int32_t to, int state) const {
-  const int u = next_axis(axis);
-  const int v = previous_axis(axis);
-  line_members_.for_each(axis, from, [&](MemberId m) {
-    const LatticeBox& bounds = cell_->bounds(m);
-    if (bounds.lo[axis] > to || bounds.lo[u] > from[u] || bounds.hi[u] < from[u] ||
-        bounds.lo[v] > from[v] || bounds.hi[v] < from[v]) {
-      return;
-    }
-    const LatticeTriangle& t = cell_->corners(m);
-    const int normal = line_crosses(t, axis, from[u], from[v]);
-    if (normal == 0) return;
-    // Of a triangle that lies between the two ends the crossing need not be found.
-    const bool between = bounds.lo[axis] > from[axis] && bounds.hi[axis] < to &&
-                         !reaches_out(cell_->outcodes(m), axis);
-    if (!between) {
-      const std::int32_t plane = floor_of(crossing_position(t, axis, from[u], from[v]));
-      if (plane < from[axis] || plane >= to) return;
-    }
-    state = model_.state_after(state, cell_->triangle(m), normal > 0);
-  });
-  return state;
 }
 
 }  // namespace kdm

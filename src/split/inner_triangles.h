@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "inside/inside_model.h"
+#include "split/cell_states.h"
 #include "split/cell_surface.h"
-#include "split/line_members.h"
 #include "split/member_groups.h"
 
 namespace kdm {
@@ -21,14 +21,15 @@ namespace kdm {
 class InnerTriangles {
  public:
   /// Gaps up to `widest_gap` lattice units are closed.
-  InnerTriangles(const Surface& surface, InsideModel& model, double widest_gap)
-      : surface_(surface), model_(model), reach_(widest_gap + kBeside) {}
+  InnerTriangles(const Surface& surface, const InsideModel& model, CellStates& states,
+                 double widest_gap)
+      : surface_(surface), model_(model), states_(states), reach_(widest_gap + kBeside) {}
 
-  /// Looks at all members of a cell and writes `cell.inner`. `state` is that of the cell's lowest
-  /// corner, `crossing` marks the members that cross others. Members that hang together, cross
+  /// Looks at all members of a cell and writes `cell.inner`. The states must have been started in
+  /// the cell. `crossing` marks the members that cross others. Members that hang together, cross
   /// nothing and are near no other solid, or of one solid no other piece, have one answer, that of
   /// the first which is wide enough in the cell. Takes time quadratic in the number of members.
-  void find(CellSurface& cell, int state, const Marks& crossing);
+  void find(CellSurface& cell, const Marks& crossing);
 
  private:
   // How far beside a triangle the states are looked at, lattice units: rounding moves by less.
@@ -39,27 +40,15 @@ class InnerTriangles {
   bool near_another(const CellPieces& pieces, MemberId member) const;
   bool bounds_nothing(MemberId member, const Vec3& point) const;
   bool is_cut_off(int before, int behind) const;
-  void find_first_crossings();
-  int state_at(const LatticePoint& point) const;
-  int follow(int axis, const LatticePoint& from, std::int32_t to, int state) const;
-
-  // A crossing on the cell's lowest edge along axis 0.
-  struct FirstCrossing {
-    std::int32_t plane;  // the lattice plane below it
-    TriangleId triangle;
-    bool leaving;
-  };
 
   const Surface& surface_;
-  InsideModel& model_;
+  const InsideModel& model_;
+  CellStates& states_;
   double reach_;
   const CellTriangles* cell_ = nullptr;
   std::vector<MemberId> apart_;                 // that cross nothing and are near nothing else
   MemberGroups groups_;                         // of these
   std::vector<std::optional<bool>> answer_of_;  // per lowest member of such a group: all are inner
-  LineMembers line_members_;
-  std::vector<FirstCrossing> first_crossings_;
-  int state_ = 0;
 };
 
 }  // namespace kdm

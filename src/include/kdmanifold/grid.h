@@ -89,8 +89,9 @@ struct GridStats {
   /// to be asked for.
   double winding_threshold = 0;
   /// `kAdaptive`, `kOctree`, `kFeature`: no leaf was given up, and every ambiguous face was traced;
-  /// the result of an embedded input is then homeomorphic to it. Other strategies do not look:
-  /// false.
+  /// the result of an embedded input is then homeomorphic to it, and where shells or operands
+  /// cross, to the boundary of what the inside rule or the expression makes of them. Other
+  /// strategies do not look: false.
   bool topology_resolved = false;
   Index unresolved_leaves = 0;  ///< leaves given up at the depth limit or the least size
   /// Centres of these leaves, in model units: of all, or, of more than 1,000, of every second,

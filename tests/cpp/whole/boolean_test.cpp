@@ -419,5 +419,39 @@ TEST(Boolean, RandomExpressionsHoldAtAllPoints) {
   EXPECT_GT(compared, check::kSanitized ? 1000 : 5000);
 }
 
+// Where surfaces cross, the pieces in a cell bound disks together: that is proven for solids in
+// general position, so that nothing has to be taken back.
+TEST(Boolean, TheTopologyOfSolidsInGeneralPositionIsResolved) {
+  const Mesh ball = shapes::icosphere(4, 1.0);
+  const Mesh other = shapes::translated(shapes::icosphere(3, 0.8), Vec3(0.71, 0.33, 0.21));
+  const Mesh cube = shapes::turned(box(Vec3(0.1, 0.1, 0.1), Vec3(1.2, 1.3, 1.4)));
+  for (const Mesh& second : {other, cube}) {
+    for (const Expression& expression :
+         {union_of(0, 1), intersection(0, 1), difference(0, 1), difference(1, 0)}) {
+      const Grid grid = build_csg_grid({ball, second}, expression, {.relative_tolerance = 0.002});
+      EXPECT_TRUE(grid.stats().topology_resolved);
+      const check::MeshCheck result = check::check_mesh(extract(grid));
+      EXPECT_TRUE(result.two_manifold) << result.faults();
+      EXPECT_EQ(result.components, 1);
+      EXPECT_EQ(result.euler_characteristic, 2);
+    }
+  }
+}
+
+// Each of the pillar's edges pierces the plate twice.
+TEST(Boolean, ATurnedPillarThroughAPlateIsResolved) {
+  const Mesh plate = shapes::turned(box(Vec3(-1, -1, -0.1), Vec3(1, 1, 0.1)));
+  const Mesh pillar = shapes::turned(box(Vec3(-0.2, -0.3, -1), Vec3(0.3, 0.2, 1)));
+  EXPECT_TRUE(build_csg_grid({plate, pillar}, union_of(0, 1)).stats().topology_resolved);
+  EXPECT_TRUE(build_csg_grid({plate, pillar}, intersection(0, 1)).stats().topology_resolved);
+}
+
+// With all four sheets of a crossing the boundary is no disk, and nothing is claimed.
+TEST(Boolean, TheTopologyOfASymmetricDifferenceIsNotClaimed) {
+  const Mesh ball = shapes::icosphere(3, 1.0);
+  const Mesh other = shapes::translated(ball, Vec3(0.7, 0.3, 0.2));
+  EXPECT_FALSE(build_csg_grid({ball, other}, symmetric_difference(0, 1)).stats().topology_resolved);
+}
+
 }  // namespace
 }  // namespace kdm
