@@ -42,7 +42,7 @@ class PartInside {
     if (empty_ || comes_before(to_, from_)) return SegmentInBox{};
     if (!sure_ || unclear_ends_ || !comes_before(from_, to_)) return std::nullopt;
     SegmentInBox part{true, {from_.face < 0, to_.face < 0}, {from_.face, to_.face}};
-    part.middle = a + (from_.at + to_.at) / 2 * (b - a);
+    part.ends = {a + from_.at * (b - a), a + to_.at * (b - a)};
     return part;
   }
 

@@ -15,7 +15,7 @@ struct SegmentInBox {
   std::array<bool, 2> ends_in{};   ///< whether its ends do
   std::array<int, 2> leaves_by{};  ///< beyond an end that does not: 2 * axis + (1: the high side)
                                    ///< of the face that the segment leaves the box by
-  Vec3 middle = Vec3::Zero();      ///< of the part in the box
+  std::array<Vec3, 2> ends{};      ///< of the part in the box
 };
 
 /// Finds the part of the segment from a to b, in lattice units, that lies in the box. The box is

@@ -77,6 +77,11 @@ bool lie_on_each_other(const LatticeTriangle& s, const LatticeTriangle& t) {
 CrossingArcs::Answer CrossingArcs::join_pieces_to_disks(const CellSurface& cell,
                                                         std::span<const CrossingPair> pairs) {
   if (pairs.size() > kMostPairs) return Answer::kUnclear;
+  crossed_by_.clear();
+  for (const CrossingPair& pair : pairs) {
+    crossed_by_.insert(crossed_by_.end(), {pair, {pair[1], pair[0]}});
+  }
+  std::sort(crossed_by_.begin(), crossed_by_.end());
   clear_ = true;
   const bool disks_there = join_pieces(cell, pairs, 1);
   lowest_joined_.clear();
@@ -160,8 +165,31 @@ bool CrossingArcs::add_segment(const CellSurface& cell, const CrossingPair& pair
   const std::optional<SegmentInBox> part = segment_in_box(points[0], points[1], members.cell());
   if (!part) return false;
   segment.part = *part;
-  if (part->meets) segments_.push_back(segment);
-  return true;
+  if (!part->meets) return true;
+  segments_.push_back(segment);
+  return !meets_third_piece(cell, segment);
+}
+
+// Tells whether a piece besides the two of a segment may pass through it. A member that does so
+// crosses both members of the segment.
+bool CrossingArcs::meets_third_piece(const CellSurface& cell, const Segment& segment) const {
+  const auto crossing = [&](MemberId m) {
+    const auto begin = std::lower_bound(crossed_by_.begin(), crossed_by_.end(), CrossingPair{m, 0});
+    const auto end = std::lower_bound(begin, crossed_by_.end(), CrossingPair{m + 1, 0});
+    return std::span(begin, end);
+  };
+  for (const auto& [first, other] : crossing(segment.members[0])) {
+    const PieceId piece = cell.pieces.piece_of(other);
+    if (piece == segment.pieces[0] || piece == segment.pieces[1]) continue;
+    const CrossingPair with_second{segment.members[1], other};
+    if (!std::binary_search(crossed_by_.begin(), crossed_by_.end(), with_second)) continue;
+    const Plane& plane = cell.triangles.surface().planes[cell.triangles.triangle(other)];
+    const double from = plane.signed_distance(segment.part.ends[0]);
+    const double to = plane.signed_distance(segment.part.ends[1]);
+    // Rounding to the lattice moves a triangle off its plane by less than a unit.
+    if (!(std::min(from, to) > 1 || std::max(from, to) < -1)) return true;
+  }
+  return false;
 }
 
 // Joins two pieces, of which these are all segments, if the solid's boundary turns from one to the
@@ -244,7 +272,7 @@ bool CrossingArcs::connect_segments(std::span<const Segment> segments, DisjointS
 // known if that point may lie beside other triangles as well.
 CrossingArcs::Sheets CrossingArcs::sheets_along(const CellTriangles& members,
                                                 const Segment& segment) const {
-  const Vec3& middle = segment.part.middle;
+  const Vec3 middle = 0.5 * (segment.part.ends[0] + segment.part.ends[1]);
   for (MemberId m = 0; m < members.size(); ++m) {
     if (m == segment.members[0] || m == segment.members[1]) continue;
     const LatticeTriangle& t = members.corners(m);

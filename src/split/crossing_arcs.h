@@ -73,13 +73,15 @@ class CrossingArcs {
 
   bool join_pieces(const CellSurface& cell, std::span<const CrossingPair> pairs, int step);
   bool add_segment(const CellSurface& cell, const CrossingPair& pair, int step);
+  bool meets_third_piece(const CellSurface& cell, const Segment& segment) const;
   bool join_along_curves(const CellSurface& cell, std::span<const Segment> segments);
   bool connect_segments(std::span<const Segment> segments, DisjointSets& connected);
   Sheets sheets_along(const CellTriangles& members, const Segment& segment) const;
   static bool is_partly_inner(const CellSurface& cell, PieceId piece);
 
   const CellStates& states_;
-  bool clear_ = false;  // all that was seen of the cell at hand is certain
+  bool clear_ = false;                    // all that was seen of the cell at hand is certain
+  std::vector<CrossingPair> crossed_by_;  // all pairs both ways, ascending
   std::vector<Segment> segments_;
   std::vector<std::pair<Pierced, Index>> ends_;  // that lie in the cell, with their segments
   std::vector<Curve> curves_;                    // of two pieces; by their lowest segments

@@ -14,7 +14,8 @@ TEST(SegmentBox, ASegmentWithinHasBothEndsInIt) {
   ASSERT_TRUE(part);
   EXPECT_TRUE(part->meets);
   EXPECT_TRUE(part->ends_in[0] && part->ends_in[1]);
-  EXPECT_NEAR((part->middle - Vec3(15, 30, 45)).norm(), 0, 1e-6);
+  EXPECT_EQ(part->ends[0], Vec3(11, 22, 33));
+  EXPECT_EQ(part->ends[1], Vec3(19, 38, 57));
 }
 
 TEST(SegmentBox, NamesTheFaceBeyondEachEnd) {
@@ -27,6 +28,8 @@ TEST(SegmentBox, NamesTheFaceBeyondEachEnd) {
     ASSERT_TRUE(through && through->meets);
     EXPECT_EQ(through->leaves_by[0], 2 * axis);
     EXPECT_EQ(through->leaves_by[1], 2 * axis + 1);
+    EXPECT_NEAR(through->ends[0][axis], kBox.lo[axis], 1e-5);
+    EXPECT_NEAR(through->ends[1][axis], kBox.hi[axis], 1e-5);
     const auto back = segment_in_box(high, Vec3(15, 30, 45), kBox);
     ASSERT_TRUE(back && back->meets);
     EXPECT_FALSE(back->ends_in[0]);

@@ -111,5 +111,13 @@ TEST(CrossingArcs, WhereThreePiecesMeetInAPointItIsUnclear) {
             Crossed::kUnclear);
 }
 
+// In the middle of some of the curves the third piece hides that the boundary turns there.
+TEST(CrossingArcs, APointWhereThreePiecesMeetIsFoundFarFromTheMiddleOfTheirCurves) {
+  EXPECT_EQ(crossed({below(0, -0.51, 1.5), below(1, -0.52, 1.55), below(2, 0.83, 1.6)}, 3),
+            Crossed::kUnclear);
+  EXPECT_EQ(crossed({below(0, 0.81, 1.5), below(1, 0.82, 1.55), below(2, -0.53, 1.6)}, 3),
+            Crossed::kUnclear);
+}
+
 }  // namespace
 }  // namespace kdm
