@@ -57,6 +57,21 @@ inline std::array<std::int64_t, 3> area_vector(const LatticeTriangle& t) {
   return {e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0]};
 }
 
+/// Tells whether two triangles lie in one plane and face the same way.
+inline bool lie_on_each_other(const LatticeTriangle& s, const LatticeTriangle& t) {
+  const std::array<std::int64_t, 3> normal = area_vector(s);
+  for (const LatticePoint& p : t) {
+    std::int64_t height = 0;
+    for (int i = 0; i < 3; ++i) height += normal[i] * (p[i] - s[0][i]);
+    if (height != 0) return false;
+  }
+  const std::array<std::int64_t, 3> other = area_vector(t);
+  for (int i = 0; i < 3; ++i) {
+    if (normal[i] != 0) return (normal[i] > 0) == (other[i] > 0);
+  }
+  return false;
+}
+
 /// Tells whether the triangle's normal points up the axis.
 inline bool points_up(const LatticeTriangle& t, int axis) { return area_vector(t)[axis] > 0; }
 

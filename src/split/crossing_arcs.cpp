@@ -59,29 +59,12 @@ std::optional<Vec3> piercing_point(const LatticePoint& p, const LatticePoint& q,
   return to_vec3(p) + part * (to_vec3(q) - to_vec3(p));
 }
 
-// Tells whether two triangles lie in one plane and face the same way.
-bool lie_on_each_other(const LatticeTriangle& s, const LatticeTriangle& t) {
-  const std::array<std::int64_t, 3> normal = area_vector(s);
-  const std::array<std::int64_t, 3> other = area_vector(t);
-  for (const LatticePoint& p : t) {
-    if (dot(normal, s[0], p) != 0) return false;
-  }
-  for (int i = 0; i < 3; ++i) {
-    if (normal[i] != 0) return (normal[i] > 0) == (other[i] > 0);
-  }
-  return false;
-}
-
 }  // namespace
 
 CrossingArcs::Answer CrossingArcs::join_pieces_to_disks(const CellSurface& cell,
                                                         std::span<const CrossingPair> pairs) {
   if (pairs.size() > kMostPairs) return Answer::kUnclear;
-  crossed_by_.clear();
-  for (const CrossingPair& pair : pairs) {
-    crossed_by_.insert(crossed_by_.end(), {pair, {pair[1], pair[0]}});
-  }
-  std::sort(crossed_by_.begin(), crossed_by_.end());
+  triple_points_.start(cell, pairs);
   clear_ = true;
   const bool disks_there = join_pieces(cell, pairs, 1);
   lowest_joined_.clear();
@@ -102,6 +85,8 @@ bool CrossingArcs::join_pieces(const CellSurface& cell, std::span<const Crossing
   joined_.emplace(cell.pieces.all().size());
   segments_.clear();
   flush_.clear();
+  triples_.clear();
+  divided_.clear();
   for (const CrossingPair& pair : pairs) {
     if (add_segment(cell, pair, step)) continue;
     clear_ = false;
@@ -117,6 +102,7 @@ bool CrossingArcs::join_pieces(const CellSurface& cell, std::span<const Crossing
     if (!join_along_curves(cell, std::span(segments_).subspan(i, end - i))) return false;
     i = end;
   }
+  if (!join_at_triple_points()) return false;
   for (const PieceId piece : guessed_) {
     if (turns_[piece] != 1) return false;
   }
@@ -166,30 +152,12 @@ bool CrossingArcs::add_segment(const CellSurface& cell, const CrossingPair& pair
   if (!part) return false;
   segment.part = *part;
   if (!part->meets) return true;
+  const std::size_t known = triples_.size();
+  if (!triple_points_.find({segment.pieces, segment.members, part->ends}, triples_)) return false;
+  if (triples_.size() > known + 1) return false;
+  if (triples_.size() > known) segment.triple = static_cast<Index>(known);
   segments_.push_back(segment);
-  return !meets_third_piece(cell, segment);
-}
-
-// Tells whether a piece besides the two of a segment may pass through it. A member that does so
-// crosses both members of the segment.
-bool CrossingArcs::meets_third_piece(const CellSurface& cell, const Segment& segment) const {
-  const auto crossing = [&](MemberId m) {
-    const auto begin = std::lower_bound(crossed_by_.begin(), crossed_by_.end(), CrossingPair{m, 0});
-    const auto end = std::lower_bound(begin, crossed_by_.end(), CrossingPair{m + 1, 0});
-    return std::span(begin, end);
-  };
-  for (const auto& [first, other] : crossing(segment.members[0])) {
-    const PieceId piece = cell.pieces.piece_of(other);
-    if (piece == segment.pieces[0] || piece == segment.pieces[1]) continue;
-    const CrossingPair with_second{segment.members[1], other};
-    if (!std::binary_search(crossed_by_.begin(), crossed_by_.end(), with_second)) continue;
-    const Plane& plane = cell.triangles.surface().planes[cell.triangles.triangle(other)];
-    const double from = plane.signed_distance(segment.part.ends[0]);
-    const double to = plane.signed_distance(segment.part.ends[1]);
-    // Rounding to the lattice moves a triangle off its plane by less than a unit.
-    if (!(std::min(from, to) > 1 || std::max(from, to) < -1)) return true;
-  }
-  return false;
+  return true;
 }
 
 // Joins two pieces, of which these are all segments, if the solid's boundary turns from one to the
@@ -209,33 +177,81 @@ bool CrossingArcs::join_along_curves(const CellSurface& cell, std::span<const Se
       curve.faces |= 1u << part.leaves_by[end];
       ++curve.ends;
     }
+    if (segments[i].triple == kNone) continue;
+    // Smaller cells have one such point each.
+    if (curve.triple != kNone) return false;
+    curve.triple = segments[i].triple;
+  }
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    Curve& curve = curves_[connected.find(static_cast<Index>(i))];
+    if (curve.triple != kNone) continue;
     const Sheets sheets = sheets_along(cell.triangles, segments[i]);
     if (sheets == Sheets::kUnknown) continue;
     if (curve.sheets != Sheets::kUnknown && curve.sheets != sheets) {
-      clear_ = false;  // pieces of three solids cross there
+      clear_ = false;
       return false;
     }
     curve.sheets = sheets;
   }
   for (std::size_t i = 0; i < segments.size(); ++i) {
     const Curve& curve = curves_[i];
-    if (connected.find(static_cast<Index>(i)) != i || curve.sheets == Sheets::kThrough) continue;
-    const auto& [first, second] = segments[i].pieces;
-    const bool some_inner = cell.pieces.all()[first].is_inner || cell.pieces.all()[second].is_inner;
-    if (curve.sheets == Sheets::kUnknown && some_inner) continue;
-    clear_ = clear_ && curve.sheets == Sheets::kTurn;
-    if (curve.sheets == Sheets::kAll || curve.ends != 2 || std::popcount(curve.faces) != 2 ||
-        some_inner || joined_->find(first) == joined_->find(second)) {
+    if (connected.find(static_cast<Index>(i)) != i) continue;
+    if (!join_along_curve(cell, segments[i].pieces, curve)) return false;
+  }
+  return true;
+}
+
+// Does so for one of the curves along which two pieces cross.
+bool CrossingArcs::join_along_curve(const CellSurface& cell, const std::array<PieceId, 2>& pieces,
+                                    const Curve& curve) {
+  const auto& [first, second] = pieces;
+  const bool some_inner = cell.pieces.all()[first].is_inner || cell.pieces.all()[second].is_inner;
+  const bool unknown = curve.sheets == Sheets::kUnknown && curve.triple == kNone;
+  if (curve.sheets == Sheets::kThrough || (unknown && some_inner)) return true;
+  clear_ = clear_ && !unknown && curve.sheets != Sheets::kAll;
+  if (curve.sheets == Sheets::kAll || some_inner) return false;
+  if (curve.ends != 2 || std::popcount(curve.faces) != 2) return false;
+  ++turns_[first];
+  ++turns_[second];
+  if (curve.triple != kNone) {
+    divided_.push_back({triples_[curve.triple].pieces, pieces, curve.faces, curve.triple});
+    return true;
+  }
+  if (joined_->find(first) == joined_->find(second)) return false;
+  joined_->join(first, second);
+  if (!unknown) return true;
+  // Around a curve an even number of sheets bounds the solid: of two pieces that no other curve
+  // divides not all four, if some of them lies within it.
+  guessed_.insert(guessed_.end(), {first, second});
+  return is_partly_inner(cell, first) || is_partly_inner(cell, second);
+}
+
+// Joins pieces three by three where they bound a disk about a triple point. Returns false if they
+// cross in another way.
+bool CrossingArcs::join_at_triple_points() {
+  std::sort(divided_.begin(), divided_.end());
+  for (std::size_t i = 0; i < divided_.size(); i += 3) {
+    const std::array<PieceId, 3>& pieces = divided_[i].pieces;
+    const auto& [a, b, c] = pieces;
+    const std::array<std::array<PieceId, 2>, 3> along = {{{a, b}, {a, c}, {b, c}}};
+    unsigned faces = ~0u;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const bool crosses = i + k < divided_.size() && divided_[i + k].pieces == pieces &&
+                           divided_[i + k].along == along[k];
+      if (!crosses) return false;
+      faces &= divided_[i + k].faces;
+    }
+    // On a face with ends of all three arcs a curve may be closed.
+    if (faces != 0) return false;
+    if (!triple_points_.bounds_a_disk(triples_[divided_[i].triple])) {
+      clear_ = false;
       return false;
     }
-    joined_->join(first, second);
-    ++turns_[first];
-    ++turns_[second];
-    if (curve.sheets == Sheets::kTurn) continue;
-    // Around a curve an even number of sheets bounds the solid: of two pieces that no other curve
-    // divides not all four, if some of them lies within it.
-    if (!is_partly_inner(cell, first) && !is_partly_inner(cell, second)) return false;
-    guessed_.insert(guessed_.end(), {first, second});
+    const Index first = joined_->find(a);
+    const Index second = joined_->find(b);
+    if (first == second || joined_->find(c) == first || joined_->find(c) == second) return false;
+    joined_->join(a, b);
+    joined_->join(a, c);
   }
   return true;
 }
@@ -273,13 +289,7 @@ bool CrossingArcs::connect_segments(std::span<const Segment> segments, DisjointS
 CrossingArcs::Sheets CrossingArcs::sheets_along(const CellTriangles& members,
                                                 const Segment& segment) const {
   const Vec3 middle = 0.5 * (segment.part.ends[0] + segment.part.ends[1]);
-  for (MemberId m = 0; m < members.size(); ++m) {
-    if (m == segment.members[0] || m == segment.members[1]) continue;
-    const LatticeTriangle& t = members.corners(m);
-    if (squared_distance(middle, to_vec3(t[0]), to_vec3(t[1]), to_vec3(t[2])) > 1) continue;
-    const auto continues = [&](MemberId of) { return lie_on_each_other(members.corners(of), t); };
-    if (!continues(segment.members[0]) && !continues(segment.members[1])) return Sheets::kUnknown;
-  }
+  if (!only_these_are_near(members, segment.members, middle)) return Sheets::kUnknown;
   const LatticePoint point = nearest_point_in(members.cell(), middle);
   const bool before_first = lies_before(members.corners(segment.members[0]), point);
   const bool before_second = lies_before(members.corners(segment.members[1]), point);

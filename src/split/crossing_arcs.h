@@ -3,15 +3,18 @@
 //
 // Two disks that cross along one arc, from one face of the cell to another, are each divided in two
 // halves. Where the solid's boundary turns from one into the other, it takes one half of each, and
-// the arc joins them to a disk. Such disks may be joined to further ones in the same way, as long
-// as they form no ring. On every face of the cell curves of two disks meet once at most, so the
-// curves of the joined disk run from edge to edge of the cell, as those of a single disk do.
+// the arc joins them to a disk. Three disks that cross in one point and each other along one arc
+// each lie as three planes do, and may bound a disk about the point. Such disks may be joined to
+// further ones in the same way, as long as they form no ring. On every face of the cell curves of
+// two disks meet once at most, so the curves of the joined disk run from edge to edge of the cell,
+// as those of a single disk do.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -20,6 +23,7 @@
 #include "split/cell_states.h"
 #include "split/cell_surface.h"
 #include "split/crossing_triangles.h"
+#include "split/triple_points.h"
 
 namespace kdm {
 
@@ -33,7 +37,7 @@ namespace kdm {
 /// might change the answer, the answer is no.
 class CrossingArcs {
  public:
-  explicit CrossingArcs(const CellStates& states) : states_(states) {}
+  explicit CrossingArcs(const CellStates& states) : states_(states), triple_points_(states) {}
 
   enum class Answer {
     kDisks,    ///< the solid's boundary in the cell is a set of disks that reach the cell's edges
@@ -56,6 +60,7 @@ class CrossingArcs {
     CrossingPair members;            // of these pieces
     std::array<Pierced, 2> pierced;  // at the ends
     SegmentInBox part;               // within the cell
+    Index triple = kNone;            // the triple point on it
   };
   // How the four sheets that meet at a curve bound the solid.
   enum class Sheets {
@@ -69,20 +74,36 @@ class CrossingArcs {
     Sheets sheets = Sheets::kUnknown;
     unsigned faces = 0;  // of the cell, at which it ends: bit 2 * axis + (1: the high side)
     int ends = 0;
+    Index triple = kNone;  // the triple point on it
+  };
+  // A curve with one triple point.
+  struct DividedCurve {
+    std::array<PieceId, 3> pieces;  // that cross at the point, ascending
+    std::array<PieceId, 2> along;   // those that cross along the curve
+    unsigned faces;                 // as of a curve
+    Index triple;
+
+    bool operator<(const DividedCurve& other) const {
+      return std::tie(pieces, along) < std::tie(other.pieces, other.along);
+    }
   };
 
   bool join_pieces(const CellSurface& cell, std::span<const CrossingPair> pairs, int step);
   bool add_segment(const CellSurface& cell, const CrossingPair& pair, int step);
-  bool meets_third_piece(const CellSurface& cell, const Segment& segment) const;
   bool join_along_curves(const CellSurface& cell, std::span<const Segment> segments);
+  bool join_along_curve(const CellSurface& cell, const std::array<PieceId, 2>& pieces,
+                        const Curve& curve);
+  bool join_at_triple_points();
   bool connect_segments(std::span<const Segment> segments, DisjointSets& connected);
   Sheets sheets_along(const CellTriangles& members, const Segment& segment) const;
   static bool is_partly_inner(const CellSurface& cell, PieceId piece);
 
   const CellStates& states_;
-  bool clear_ = false;                    // all that was seen of the cell at hand is certain
-  std::vector<CrossingPair> crossed_by_;  // all pairs both ways, ascending
+  bool clear_ = false;  // all that was seen of the cell at hand is certain
   std::vector<Segment> segments_;
+  TriplePoints triple_points_;
+  std::vector<TriplePoint> triples_;  // each once for every segment that it lies on
+  std::vector<DividedCurve> divided_;
   std::vector<std::pair<Pierced, Index>> ends_;  // that lie in the cell, with their segments
   std::vector<Curve> curves_;                    // of two pieces; by their lowest segments
   std::optional<DisjointSets> joined_;           // the pieces

@@ -106,17 +106,26 @@ TEST(CrossingArcs, AnEdgeThatTouchesAFaceIsUnclear) {
   EXPECT_EQ(crossed({roof(0.25), upon}, 1), Crossed::kUnclear);
 }
 
-TEST(CrossingArcs, WhereThreePiecesMeetInAPointItIsUnclear) {
-  EXPECT_EQ(crossed({below(0, 0.11, 1.5), below(1, 0.12, 1.55), below(2, 0.13, 1.6)}, 3),
-            Crossed::kUnclear);
+TEST(CrossingArcs, ThreePiecesThatMeetInAPointBoundADisk) {
+  const std::vector<Mesh> corner = {below(0, 0.11, 1.5), below(1, 0.12, 1.55), below(2, 0.13, 1.6)};
+  EXPECT_EQ(crossed(corner, 3), Crossed::kDisks);
+  EXPECT_EQ(crossed(corner, 3, true), Crossed::kUnclear) << "four sheets meet along each curve";
 }
 
 // In the middle of some of the curves the third piece hides that the boundary turns there.
 TEST(CrossingArcs, APointWhereThreePiecesMeetIsFoundFarFromTheMiddleOfTheirCurves) {
   EXPECT_EQ(crossed({below(0, -0.51, 1.5), below(1, -0.52, 1.55), below(2, 0.83, 1.6)}, 3),
-            Crossed::kUnclear);
+            Crossed::kDisks);
   EXPECT_EQ(crossed({below(0, 0.81, 1.5), below(1, 0.82, 1.55), below(2, -0.53, 1.6)}, 3),
-            Crossed::kUnclear);
+            Crossed::kDisks);
+}
+
+// Two walls and two floors meet in four points, one on each pair of curves.
+TEST(CrossingArcs, SeveralPointsAskForSmallerCells) {
+  EXPECT_EQ(crossed({below(0, 0.11, 1.5), below(1, 0.12, 1.55), below(2, 0.13, 1.6),
+                     below(2, -0.53, 1.65)},
+                    4),
+            Crossed::kTooMuch);
 }
 
 }  // namespace
