@@ -7,10 +7,10 @@
 // the other way round: a cut that brings out a part's topology often makes it fit as well, and
 // small parts are separated from each other before any of them is cut.
 // Crossing shells. Where shells cross, their pieces bound the solid together: one vertex must fit
-// them all, as it does on the crease of their union. Topology is claimed where the pieces cross in
-// pairs along arcs (crossing_arcs.h), and pursued down to the tolerance where they cross more
-// often. Sheets. Where sheets cross, each keeps its own vertices. Holes. What closes a hole takes
-// part in neither test.
+// them all, as it does on the crease of their union. Topology is claimed where the pieces cross
+// along arcs (crossing_arcs.h), and pursued above the topology floor where they cross more often.
+// Sheets. Where sheets cross, each keeps its own vertices.
+// Holes. What closes a hole takes part in neither test.
 #include <algorithm>
 #include <cmath>
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <bit>
 
-#include "geometry/distance.h"
 #include "mesh/sides.h"
 
 namespace kdm {

@@ -31,10 +31,10 @@ namespace kdm {
 ///
 /// Which edge pierces which triangle is decided exactly, by signs of volumes. Ties, such as an edge
 /// that meets an edge, are resolved by moving one of two pieces by an infinitely small step: once
-/// there and once back, and only what holds in both cases counts. So no arc is seen where faces lie
-/// on each other, or edges touch faces. Which sides of a curve lie inside follows from states that
-/// are counted to a point beside it. Where anything is so near to something else that rounding
-/// might change the answer, the answer is no.
+/// there and once back, and only what holds in both cases counts. So nothing is claimed where faces
+/// lie on each other back to back, or edges touch faces. Which sides of a curve lie inside follows
+/// from states that are counted to a point beside it. Where anything is so near to something else
+/// that rounding might change the answer, the answer is no.
 class CrossingArcs {
  public:
   explicit CrossingArcs(const CellStates& states) : states_(states), triple_points_(states) {}
