@@ -200,6 +200,76 @@ TEST(Thicken, CreasesAndRipplesCountPositively) {
   }
 }
 
+// A wavy sheet whose columns lie in pairs, `gap` apart: every other triangle is a needle, and what
+// its neighbours say of its ends' normals differs by more than it can bear.
+Mesh needles(double gap) {
+  const auto wave = [](double x, double y) { return 0.2 * shapes::sine(5 * x + y); };
+  Mesh mesh = shapes::grid_sheet(60, 20, [](double, double) { return 0.0; });
+  for (Vec3& p : mesh.positions) {
+    const double column = std::round(60 * p.x());
+    const double pair = std::floor(column / 2);
+    p.x() = pair / 30 + (column - 2 * pair) * gap;
+    p.z() = wave(p.x(), p.y());
+  }
+  return mesh;
+}
+
+TEST(Thicken, NeedlesDoNotTearTheShell) {
+  for (const double gap : {1e-3, 1e-5, 1e-8}) {
+    SCOPED_TRACE(gap);
+    const Mesh sheet = needles(gap);
+    const Mesh shell = thicken(sheet, 0.1);
+    expect_closed(shell);
+    EXPECT_EQ(shell.positions.size(), 2 * sheet.positions.size()) << "one piece on either side";
+    EXPECT_NEAR(check_mesh(shell).volume / (0.1 * area_of(sheet)), 1, 0.02);
+    for (const Vec3& p : shell.positions) EXPECT_LT(std::abs(p.z()), 0.2 + 0.08);
+  }
+}
+
+TEST(Thicken, ATubeThinnerThanItsWallIsFilled) {
+  // Half a unit on either side of a tube of radius 0.3 reaches across it.
+  const Mesh tube = shapes::torus(1, 0.3, 32, 16);
+  const Mesh shell = thicken(tube, 1);
+  expect_closed(shell);
+  check::Random random(5);
+  for (int i = 0; i < 300; ++i) {
+    const double along = 2 * kPi * random.unit();
+    const double around = 2 * kPi * random.unit();
+    const double from = 0.75 * random.unit();
+    const double out = 1 + from * std::cos(around);
+    const Vec3 p(out * std::cos(along), out * std::sin(along), from * std::sin(around));
+    EXPECT_GT(winding_at(shell, p), 0.99) << p.transpose();
+  }
+  const Mesh solid = extract(build_grid(shell, {.relative_tolerance = 0.01}));
+  EXPECT_TRUE(check::is_two_manifold(solid));
+  EXPECT_NEAR(check_mesh(solid).volume / (2 * kPi * kPi * 0.8 * 0.8), 1, 0.03);
+  EXPECT_LT(solid.triangles.size(), 4000u) << "its outside is as smooth as the tube's";
+}
+
+TEST(Thicken, BentPiecesLeaveNoGaps) {
+  // A saddle that bends more tightly than its shell is thick, both ways and on both sides.
+  const Mesh saddle = shapes::grid_sheet(24, 24, [](double x, double y) {
+    return 4 * ((x - 0.5) * (x - 0.5) - (y - 0.5) * (y - 0.5));
+  });
+  const Mesh shell = thicken(saddle, 0.4);
+  expect_closed(shell);
+  check::Random random(6);
+  for (int i = 0; i < 300; ++i) {
+    EXPECT_GT(winding_at(shell, random.point(-0.5, 1.5)), -0.01);
+    const Index at = random.below(static_cast<Index>(saddle.triangles.size()));
+    const Triangle& t = saddle.triangles[at];
+    const Vec3& a = saddle.positions[t[0]];
+    const Vec3& b = saddle.positions[t[1]];
+    const Vec3& c = saddle.positions[t[2]];
+    const Vec3 normal = (b - a).cross(c - a).normalized();
+    const Vec3 p = (a + b + c) / 3 + random.between(-0.19, 0.19) * normal;
+    EXPECT_GT(winding_at(shell, p), 0.99) << p.transpose();
+  }
+  const Mesh solid = extract(build_grid(shell, {.relative_tolerance = 0.002}));
+  EXPECT_TRUE(check::is_two_manifold(solid));
+  EXPECT_EQ(check_mesh(solid).components, 1) << "no voids within";
+}
+
 TEST(Thicken, SizeAndPlaceDoNotMatter) {
   const Mesh box = shapes::open(shapes::cube(), 2);
   const double volume = check_mesh(thicken(box, 0.1)).volume;
