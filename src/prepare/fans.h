@@ -64,4 +64,16 @@ class Fans {
   std::vector<Ends> ends_;  // per fan
 };
 
+/// Cuts a triangle off from its neighbours and returns how many sides were cut.
+inline Index cut_round(TriangleId triangle, std::vector<SideId>& opposite) {
+  Index cuts = 0;
+  for (SideId side = 3 * triangle; side < 3 * triangle + 3; ++side) {
+    if (opposite[side] == kNone) continue;
+    opposite[opposite[side]] = kNone;
+    opposite[side] = kNone;
+    ++cuts;
+  }
+  return cuts;
+}
+
 }  // namespace kdm

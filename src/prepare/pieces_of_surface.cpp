@@ -107,19 +107,15 @@ Vec3 PiecesOfSurface::beyond(SideId side) const {
 
 // Makes pieces of their own of triangles that are turned over by reaching further, and returns how
 // many sides were cut. A piece of one triangle grows.
-int PiecesOfSurface::cut_off_folded() {
-  int cuts = 0;
+Index PiecesOfSurface::cut_off_folded() {
+  Index cuts = 0;
   for (TriangleId t = 0; t < size(); ++t) {
     const Vec3& n = normals_[t];
     const Vec3& at = place(3 * t);
     if (n == Vec3::Zero() || (place(3 * t + 1) - at).cross(place(3 * t + 2) - at).dot(n) > 0) {
       continue;
     }
-    for (SideId side = 3 * t; side < 3 * t + 3; ++side) {
-      if (opposite_[side] == kNone) continue;
-      cut(side);
-      ++cuts;
-    }
+    cuts += cut_round(t, opposite_);
   }
   return cuts;
 }

@@ -49,7 +49,7 @@ class PiecesOfSurface {
   void find_places();
   Vec3 place_of_fan(Index fan) const;
   Vec3 beyond(SideId side) const;
-  int cut_off_folded();
+  Index cut_off_folded();
 
   std::span<const Triangle> triangles_;
   std::span<const Vec3> points_;

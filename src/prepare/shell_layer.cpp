@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "prepare/shell_layer.h"
 
-#include <algorithm>
-#include <cmath>
+#include <cstddef>
 #include <deque>
 
 #include "geometry/triangle.h"
@@ -131,13 +130,7 @@ bool ShellLayer::turns_over(TriangleId t, double spare) const {
 Index ShellLayer::cut_off_turned() {
   Index cuts = 0;
   for (TriangleId t = 0; t < surface_.size(); ++t) {
-    if (!turns_over(t, 0)) continue;
-    for (SideId side = 3 * t; side < 3 * t + 3; ++side) {
-      if (opposite_[side] == kNone) continue;
-      opposite_[opposite_[side]] = kNone;
-      opposite_[side] = kNone;
-      ++cuts;
-    }
+    if (turns_over(t, 0)) cuts += cut_round(t, opposite_);
   }
   return cuts;
 }
